@@ -1,0 +1,11 @@
+#lang info
+(define collection "raytrace")
+(define version "0.1")
+(define license '(Apache-2.0 OR MIT))
+(define pkg-desc "A functional ray tracer: pure immutable worlds in, pictures with known error out")
+(define deps '("base" "typed-racket-lib" "typed-racket-more" "draw-lib"))
+(define build-deps '("rackunit-lib" "math-lib"))
+(define raco-commands
+  '(("raytrace" raytrace/private/command/main "render a scene to a picture" #f)))
+(define test-include-paths '("tests"))
+(define compile-omit-paths '("tests"))

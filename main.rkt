@@ -1,0 +1,57 @@
+#lang racket/base
+;; The public surface of raytrace.
+(require racket/require "private/surface.rkt"
+         (subtract-in
+          (combine-in
+           "private/base/float3.rkt" "private/shape/shape.rkt" "private/shape/sphere.rkt"
+           "private/material/material.rkt" "private/material/phong.rkt"
+           "private/material/emitter.rkt" "private/material/color.rkt"
+           "private/light/light.rkt" "private/light/distant.rkt" "private/light/point.rkt"
+           "private/world/ray.rkt" "private/world/camera.rkt" "private/world/background.rkt"
+           "private/world/world.rkt" "private/integrate/query.rkt"
+           "private/render/render.rkt" "private/image/image.rkt" "private/image/write.rkt")
+          "private/surface.rkt"))
+
+(provide
+ ;; vectors and colours
+ Float3 Float3? (rename-out [Float3-x/function Float3-x] [Float3-y/function Float3-y]
+                            [Float3-z/function Float3-z]
+                            [Float3-add/function Float3-add]
+                            [Float3-subtract/function Float3-subtract]
+                            [Float3-negate/function Float3-negate]
+                            [Float3-scale-by-scalar/function Float3-scale-by-scalar]
+                            [Float3-scale-by-vector/function Float3-scale-by-vector]
+                            [Float3-dot/function Float3-dot]
+                            [Float3-cross/function Float3-cross]
+                            [Float3-length/function Float3-length]
+                            [Float3-length-squared/function Float3-length-squared]
+                            [Float3-distance/function Float3-distance]
+                            [Float3-normalized/checked Float3-normalized]
+                            [Float3-reflect/function Float3-reflect]
+                            [Float3-clamped/function Float3-clamped]
+                            [Float3-linear-interpolate/function Float3-linear-interpolate])
+ Float3-random-hemisphere-direction Float3-random-point-in-sphere Float3-random-color
+ ;; rays and what they hit
+ Ray Ray? Ray-point Ray-direction Ray-time Ray-point-at
+ Intersection Intersection? Intersection-t Intersection-point Intersection-normal
+ Intersection-color Intersection-empty INTERSECTION-T-MAX EPSILON
+ ;; cameras
+ Camera Camera? Camera-eye Camera-forward Camera-right Camera-up Camera-lens-radius
+ Camera-focus-distance Camera-look-at Camera-global-up Camera-get-ray-direction Camera-ray
+ ;; shapes
+ Shape? Shape-intersect Sphere Sphere? Sphere-point Sphere-radius Sphere-material
+ Sphere-color Sphere-intersect
+ ;; materials
+ Material? Phong Phong? Phong-color Phong-specularity Phong-shininess Phong-reflectivity
+ WORLD-SHAPE-SPECULARITY WORLD-SHAPE-SHININESS Emitter Emitter? Emitter-radiance
+ Emitter-two-sided?
+ ;; lights and what lies behind everything
+ Light? DistantLight DistantLight? DistantLight-direction DistantLight-color
+ PointLight PointLight? PointLight-point PointLight-intensity
+ GradientSky GradientSky? GradientSky-bottom GradientSky-top
+ ;; worlds
+ World World? World-shapes World-spheres World-lights World-sun World-background
+ World-background-color World-nearest-hit World-occluded? World-ray-trace World-get-color-at
+ World-get-ambient-percent WORLD-AMBIENT-SAMPLES WORLD-MAX-OCCLUSION-DISTANCE
+ ;; pictures
+ render Image? Image-width Image-height Image-pixels Image-pixel Image-write Image-read)

@@ -1,0 +1,78 @@
+#lang typed/racket/base
+;; The named places of a worker's scratch. A ray, its hit and everything found on the way travel
+;; between kernels in one flvector and one fxvector, so nothing is boxed at a call.
+(require (for-syntax racket/base) "unsafe.rkt")
+
+(provide make-flonum-registers make-fixnum-registers STACK-SIZE NEST-LIMIT)
+
+;; (define-register-file provided-count [name width] ...) names consecutive places by literals,
+;; which Typed Racket and the compiler both see as constants.
+(define-syntax (define-register-file stx)
+  (syntax-case stx ()
+    [(_ count [name width] ...)
+     (let* ([widths (map syntax-e (syntax->list #'(width ...)))]
+            [starts (let loop ([widths widths] [at 0])
+                      (if (null? widths) '() (cons at (loop (cdr widths) (+ at (car widths))))))])
+       (with-syntax ([(start ...) starts] [total (apply + widths)])
+         #'(begin
+             (define-syntax (name use)
+               (if (identifier? use) #'start (raise-syntax-error #f "is a place, not a function" use)))
+             ...
+             (define-syntax (count use) #'total)
+             (provide name ...))))]))
+
+;; How deep instances may nest, and places for the traversal stacks of all levels together.
+(define-syntax (NEST-LIMIT stx) #'8)
+(define-syntax (STACK-SIZE stx) #'1024)
+
+(define-register-file flonum-count
+  ;; the ray: origin, direction of any length, its reciprocal (written where a hierarchy is
+  ;; entered), the parameter the ray ends at, the time in the shutter
+  [ray-origin 3] [ray-direction 3] [ray-inverse 3] [ray-limit 1] [ray-time 1]
+  ;; the nearest hit: parameter along the ray, and two surface parameters the shape chooses
+  [hit-t 1] [hit-u 1] [hit-v 1]
+  ;; its surface: point, outward unit geometric normal, shading normal, texture coordinates, and
+  ;; a bound on the absolute error of the point
+  [surface-point 3] [surface-normal 3] [surface-shading-normal 3] [surface-uv 2] [surface-error 1]
+  ;; the material there: base colour, and roughness or another scalar a texture drives
+  [surface-color 3] [surface-roughness 1]
+  ;; scattering: direction back along the ray, direction onward, weight or value, its density
+  [out-direction 3] [in-direction 3] [bsdf-weight 3] [bsdf-density 1]
+  ;; light sampling: direction, distance, radiance over density, density per solid angle
+  [light-direction 3] [light-distance 1] [light-radiance 3] [light-density 1]
+  ;; the path so far
+  [throughput 3] [radiance 3] [ambient-percent 1] [previous-density 1] [relative-index 1]
+  ;; the numbers the sampler delivers, and the pixel position of this sample
+  [sample-u 1] [sample-v 1] [film-x 1] [film-y 1]
+  ;; an orthonormal frame, and room a kernel may use between two calls
+  [frame-tangent 3] [frame-bitangent 3] [workspace 24]
+  ;; rays kept while an instance is entered: 9 places a level
+  [saved-rays 72])
+
+(define-register-file fixnum-count
+  ;; the nearest hit: index of the primitive in the world (-1 for none), its material, and the
+  ;; path through meshes, groups and instances below it
+  [hit-primitive 1] [hit-material 1] [hit-path 8]
+  ;; a primitive that any-hit passes over (the light a shadow ray is aimed at), or -1
+  [ignored-primitive 1]
+  ;; 1 where a hit at exactly ray-limit should replace the known one, else 0
+  [accept-ties 1]
+  ;; nesting: level of instances entered, first free place of the traversal stack
+  [nest-level 1] [stack-base 1]
+  ;; the sampler: hash of (pixel, seed), sample index, next dimension
+  [sampler-key 1] [sampler-index 1] [sampler-dimension 1]
+  ;; what was counted: rays asked for their nearest hit, occlusion rays, rejected samples
+  [nearest-rays 1] [occlusion-rays 1] [rejected-samples 1]
+  ;; the path: bounces so far, flags of the last scattering
+  [path-depth 1] [scatter-flags 1] [fixnum-workspace 8]
+  [stack 1024])
+
+;; A worker's scratch: nothing in it outlives the pixel it is used for but the counters.
+(: make-flonum-registers (-> FlVector))
+(define (make-flonum-registers) (make-flvector flonum-count 0.0))
+(: make-fixnum-registers (-> FxVector))
+(define (make-fixnum-registers)
+  (define registers (make-fxvector fixnum-count 0))
+  (fxvector-set! registers hit-primitive -1)
+  (fxvector-set! registers ignored-primitive -1)
+  registers)

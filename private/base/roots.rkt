@@ -1,0 +1,203 @@
+#lang typed/racket/base
+;; Real roots for ray intersection: quadratics with an exact discriminant, slabs, and quartics
+;; bracketed by the roots of their derivative. The let- forms are for kernels and allocate nothing.
+(require "unsafe.rkt")
+
+(provide quadratic-roots depressed-quartic-roots
+         difference-of-products let-quadratic-roots let-roots-of-discriminant let-slab
+         find-sign-change)
+
+;; a b - c d to within two units in the last place, as long as no product leaves the range
+;; 1e-290 to 1e290 (Dekker, "A floating-point technique for extending the available precision",
+;; 1971, with Veltkamp's splitting, since there is no fused multiply-add).
+(define-syntax-rule (difference-of-products a b c d)
+  (let-product (product product-error) (a b)
+    (let-product (other other-error) (c d)
+      (fl+ (fl- product other) (fl- product-error other-error)))))
+
+;; Binds a b rounded and what the rounding took.
+(define-syntax-rule (let-product (product product-error) (a b) body)
+  (let* ([x a] [y b]
+         [product (fl* x y)]
+         [x-split (fl* x (SPLITTER))] [x-high (fl- x-split (fl- x-split x))] [x-low (fl- x x-high)]
+         [y-split (fl* y (SPLITTER))] [y-high (fl- y-split (fl- y-split y))] [y-low (fl- y y-high)]
+         [product-error (fl+ (fl* x-low y-low)
+                             (fl+ (fl* x-low y-high)
+                                  (fl+ (fl* x-high y-low)
+                                       (fl- (fl* x-high y-high) product))))])
+    body))
+
+;; 2^27 + 1: splits 53 bits into two halves.
+(define-syntax-rule (SPLITTER) 134217729.0)
+
+;; Binds low <= high to the roots of a t^2 + 2 b t + c, whose b^2 - a c is already known to be the
+;; discriminant and not negative. The larger root in magnitude is taken first and the other from
+;; the product of both, so that neither cancels. Where a = 0 the root that is missing is infinite;
+;; where b = 0 too, both are NaN.
+(define-syntax-rule (let-roots-of-discriminant (low high) (a b c discriminant) body ...)
+  (let* ([half-b b]
+         [s (flsqrt discriminant)]
+         [q (fl* -1.0 (if (fl< half-b 0.0) (fl- half-b s) (fl+ half-b s)))]
+         [first-root (fl/ q a)]
+         [second-root (if (fl= q 0.0) first-root (fl/ c q))]
+         [low (if (fl< second-root first-root) second-root first-root)]
+         [high (if (fl< second-root first-root) first-root second-root)])
+    body ...))
+
+;; The same from the coefficients alone; `none` where the discriminant is negative. Coefficients
+;; and their products must stay within 1e-290 to 1e290; quadratic-roots scales them.
+(define-syntax-rule (let-quadratic-roots (low high) (a b c) found none)
+  (let* ([discriminant (difference-of-products b b a c)])
+    (if (fl>= discriminant 0.0)
+        (let-roots-of-discriminant (low high) (a b c discriminant) found)
+        none)))
+
+;; Binds enter <= leave to the parameters between which low <= o + t d <= high, both infinite
+;; where d = 0 and o is between; `none` where it is not.
+(define-syntax-rule (let-slab (enter leave) (o d low high) found none)
+  (let* ([parallel? (fl= d 0.0)])
+    (if (and parallel? (or (fl< o low) (fl> o high)))
+        none
+        (let* ([inverse (fl/ 1.0 d)]
+               [to-low (if parallel? -inf.0 (fl* (fl- low o) inverse))]
+               [to-high (if parallel? +inf.0 (fl* (fl- high o) inverse))]
+               [enter (if (fl< inverse 0.0) to-high to-low)]
+               [leave (if (fl< inverse 0.0) to-low to-high)])
+          found))))
+
+;; Finds the next change of sign of a function that has the sign of the quartic
+;; t^4 + 2 p t^2 + 4 q t + s, between `from` and `high`, where it is positive at `high` and negative
+;; at `from` exactly if `inside?`. (evaluate t (value slope) body) binds the function and its
+;; derivative at t; what has the quartic's sign but not its cancellation may stand in for it.
+;;
+;; Between two extremes there is at most one change, so roots are never missed singly and a line
+;; from outside meets an even number. The extremes are roots of t^3 + p t + q, at most one in each
+;; of the pieces that its own extremes and its inflection cut; in a piece Newton's iteration from
+;; the end where cubic and curvature agree in sign runs monotonically to the root. `piece` (0 to 4)
+;; is the first piece not yet passed. `found` sees the root and from where to go on: next-piece,
+;; next-from and next-inside?.
+(define-syntax-rule
+  (find-sign-change (evaluate) (p q) (piece from inside?) high
+                    #:found (root next-piece next-from next-inside?) found
+                    #:none none)
+  (let* ([turn (if (fl< p 0.0) (flsqrt (fl* p (fl/ -1.0 3.0))) 0.0)]
+         [span (fl+ (flabs from) (flabs high))]
+         [extreme-tolerance (fl* span (EXTREME-TOLERANCE))]
+         [root-tolerance (fl* span (ROOT-TOLERANCE))])
+    (let walk ([at : Fixnum piece] [start : Flonum from] [inside : Boolean inside?])
+      (define-syntax-rule (refine next-piece* end inside-at-end)
+        ;; Newton inside a bracket, halved where a step leaves it or does not halve the last one
+        (let* ([next-piece next-piece*] [next-from end] [next-inside? inside-at-end])
+          (let refining ([low : Flonum start] [up : Flonum end]
+                         [t : Flonum (fl* 0.5 (fl+ start end))]
+                         [last-step : Flonum (fl- end start)])
+            (evaluate t (value slope)
+              (let* ([before? (if inside (fl< value 0.0) (fl>= value 0.0))]
+                     [low* (if before? t low)]
+                     [up* (if before? up t)]
+                     [newton (fl- t (fl/ value slope))]
+                     [middle (fl* 0.5 (fl+ low* up*))]
+                     [next (if (and (fl>= newton low*) (fl<= newton up*)
+                                    (fl<= (flabs (fl- newton t)) (fl* 0.5 (flabs last-step))))
+                               newton
+                               middle)]
+                     [step (fl- next t)])
+                (if (fl> (flabs step) root-tolerance)
+                    (refining low* up* next step)
+                    (let ([root (fl+ next 0.0)]) found)))))))
+      (cond
+        [(fx= at 4)
+         (if inside
+             (refine 5 high #f)
+             none)]
+        [(fx> at 4) none]
+        [else
+         (let* ([piece-low (if (fx< at 2) (if (fx= at 0) -inf.0 (fl* -1.0 turn))
+                               (if (fx= at 2) 0.0 turn))]
+                [piece-high (if (fx< at 2) (if (fx= at 0) (fl* -1.0 turn) 0.0)
+                                (if (fx= at 2) turn +inf.0))]
+                [left (if (fl< piece-low start) start piece-low)]
+                [right (if (fl< high piece-high) high piece-high)])
+           (if (fl< left right)
+               (let* ([cubic-left (cubic p q left)]
+                      [cubic-right (cubic p q right)]
+                      [falling-at-left? (fl< cubic-left 0.0)])
+                 (if (eq? falling-at-left? (fl< cubic-right 0.0))
+                     (walk (fx+ at 1) start inside)
+                     (let* ([good-left? (if (fx< at 2) falling-at-left? (not falling-at-left?))])
+                       (let climbing ([t : Flonum (if good-left? left right)])
+                         (let* ([next (fl- t (fl/ (cubic p q t) (fl+ (fl* 3.0 (fl* t t)) p)))]
+                                [kept (if (fl>= next left) (if (fl<= next right) next right) left)])
+                           (if (fl> (flabs (fl- kept t)) extreme-tolerance)
+                               (climbing kept)
+                               (evaluate kept (value slope)
+                                 (let* ([inside-here (fl< value 0.0)])
+                                   (if (eq? inside-here inside)
+                                       (walk (fx+ at 1) kept inside)
+                                       (refine (fx+ at 1) kept inside-here))))))))))
+               (walk (fx+ at 1) start inside)))]))))
+
+(define-syntax-rule (cubic p q t)
+  (fl+ (fl* (fl+ (fl* t t) p) t) q))
+
+;; An extreme only separates roots; a root is wanted to the last bit.
+(define-syntax-rule (EXTREME-TOLERANCE) 2.3283064365386963e-10) ; 2^-32
+(define-syntax-rule (ROOT-TOLERANCE) 1.1102230246251565e-16)
+
+;; The finite real roots of a t^2 + b t + c in ascending order, a double root twice: '(), one where
+;; a = 0, or two; '() where a = b = 0. Coefficients: any finite numbers; they are scaled by powers
+;; of two so that nothing overflows unless a root does. Within 8 ulp where b^2 and 4 a c differ by
+;; more than a part in 1e12.
+(: quadratic-roots (-> Flonum Flonum Flonum (Listof Flonum)))
+(define (quadratic-roots a b c)
+  (cond
+    [(fl= a 0.0) (if (fl= b 0.0) '() (list (fl* -1.0 (fl/ c b))))]
+    [(fl= c 0.0) (ascending 0.0 (fl* -1.0 (fl/ b a)))]
+    [else
+     ;; t = 2^k u makes the outer coefficients alike, another factor brings all near 1
+     (define k (flfloor (fl* 0.5 (fl- (exponent c) (exponent a)))))
+     (define outer (flmax (exponent c) (fl+ (exponent a) (fl* 2.0 k))))
+     (define middle (if (fl= b 0.0) -inf.0 (fl+ (exponent b) k)))
+     (cond
+       ;; a c is nothing beside b^2
+       [(fl> (fl- middle outer) 100.0)
+        (ascending (fl* -1.0 (fl/ b a)) (fl* -1.0 (fl/ c b)))]
+       [else
+        (define unit (fl* -1.0 (flmax outer middle)))
+        (define a* (shifted a (fl+ unit (fl* 2.0 k))))
+        (define half-b* (fl* 0.5 (shifted b (fl+ unit k))))
+        (define c* (shifted c unit))
+        (let-quadratic-roots (low high) (a* half-b* c*)
+          (list (shifted low k) (shifted high k))
+          '())])]))
+
+(: ascending (-> Flonum Flonum (Listof Flonum)))
+(define (ascending x y) (if (fl<= x y) (list x y) (list y x)))
+
+;; floor(log2 |x|), give or take one.
+(: exponent (-> Flonum Flonum))
+(define (exponent x) (flfloor (fl/ (fllog (flabs x)) (fllog 2.0))))
+
+;; x 2^n for a whole n of any size.
+(: shifted (-> Flonum Flonum Flonum))
+(define (shifted x n)
+  (cond
+    [(fl> n 900.0) (shifted (fl* x (flexpt 2.0 900.0)) (fl- n 900.0))]
+    [(fl< n -900.0) (shifted (fl* x (flexpt 2.0 -900.0)) (fl+ n 900.0))]
+    [else (fl* x (flexpt 2.0 n))]))
+
+;; The real roots of t^4 + p t^2 + q t + s between low and high in ascending order, where the
+;; quartic is not negative at low and high. (Any quartic has this form after a shift of t.) Between
+;; extremes by safeguarded Newton, not by Ferrari's formula, which loses half of the digits near
+;; double roots. A double root at a maximum counts twice, at a minimum not at all.
+(: depressed-quartic-roots (-> Flonum Flonum Flonum Flonum Flonum (Listof Flonum)))
+(define (depressed-quartic-roots p q s low high)
+  (define-syntax-rule (evaluate t (value slope) body)
+    (let* ([value (fl+ (fl* (fl+ (fl* (fl+ (fl* t t) p) t) q) t) s)]
+           [slope (fl+ (fl* (fl+ (fl* 4.0 (fl* t t)) (fl* 2.0 p)) t) q)])
+      body))
+  (let more ([piece : Fixnum 0] [from : Flonum low] [inside? : Boolean #f])
+    (find-sign-change (evaluate) ((fl* 0.5 p) (fl* 0.25 q)) (piece from inside?) high
+      #:found (root next-piece next-from next-inside?)
+      (cons root (more next-piece next-from next-inside?))
+      #:none '())))

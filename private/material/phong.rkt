@@ -1,0 +1,41 @@
+#lang typed/racket/base
+;; The article's surface (Phong, "Illumination for Computer Generated Pictures", 1975), as
+;; published: ambient and diffuse light times a colour, a white highlight, and a mirror's share.
+;; color: linear RGB albedo. specularity: strength of the highlight, 0 none. shininess: exponent
+;; of the highlight, larger is smaller and sharper. reflectivity: the part of the light that is
+;; reflected as by a mirror, a number or a colour from 0 to 1; what it takes, the rest lacks.
+(require (for-syntax racket/base)
+         "../base/float3.rkt" "../base/check.rkt" "../base/public.rkt" "material.rkt")
+
+(provide (struct-out Phong) make-Phong WORLD-SHAPE-SPECULARITY WORLD-SHAPE-SHININESS)
+
+(struct Phong Material
+  ([color : Float3] [specularity : Flonum] [shininess : Flonum] [reflectivity : Float3])
+  #:transparent)
+
+;; The article's values for every shape.
+(define WORLD-SHAPE-SPECULARITY : Flonum 0.30)
+(define WORLD-SHAPE-SHININESS : Flonum 16.0)
+
+;; (Phong color [specularity shininess reflectivity]), the last three also by keyword.
+(: make-Phong (->* (Float3)
+                   (Real Real (U Real Float3)
+                    #:specularity Real #:shininess Real #:reflectivity (U Real Float3))
+                   Phong))
+(define (make-Phong color [specularity-by-place WORLD-SHAPE-SPECULARITY]
+                    [shininess-by-place WORLD-SHAPE-SHININESS] [reflectivity-by-place 0.0]
+                    #:specularity [specularity specularity-by-place]
+                    #:shininess [shininess shininess-by-place]
+                    #:reflectivity [reflectivity reflectivity-by-place])
+  (define mirror
+    (if (real? reflectivity)
+        (make-Float3 reflectivity reflectivity reflectivity)
+        reflectivity))
+  (for ([part (list (Float3-x mirror) (Float3-y mirror) (Float3-z mirror))])
+    (check-between 'Phong "reflectivity" part 0.0 1.0))
+  (Phong (check-color 'Phong "color" color)
+         (check-between 'Phong "specularity" specularity 0.0 1e300)
+         (check-between 'Phong "shininess" shininess 0.0 1e300)
+         mirror))
+
+(define-constructor Phong make-Phong (color specularity shininess reflectivity))

@@ -1,0 +1,106 @@
+#lang typed/racket/base
+;; Rendering: a World seen by a Camera becomes an Image, by whatever schedule is asked for.
+(require typed/racket/unsafe
+         "../base/unsafe.rkt" "../base/check.rkt" "../base/registers.rkt"
+         "../world/world.rkt" "../world/camera.rkt" "../image/image.rkt"
+         "../integrate/integrators.rkt" "pixel.rkt" "statistics.rkt")
+
+(provide render render/statistics SCHEDULES default-worker-count)
+
+(define-type TileCounter Any)
+(unsafe-require/typed "schedule/tiles.rkt"
+  [make-tile-counter (-> Fixnum TileCounter)]
+  [tiles-done (-> TileCounter Fixnum)])
+(unsafe-require/typed "schedule/sequential.rkt"
+  [run-sequential (-> (Listof (-> Fixnum Void)) TileCounter Void)])
+(unsafe-require/typed "schedule/futures.rkt"
+  [run-futures (-> (Listof (-> Fixnum Void)) TileCounter Void)])
+(unsafe-require/typed racket/future
+  [processor-count (-> Positive-Fixnum)])
+
+(define SCHEDULES : (Listof Symbol) '(sequential futures))
+
+;; As many workers as the machine has processors.
+(: default-worker-count (-> Positive-Fixnum))
+(define (default-worker-count) (processor-count))
+
+;; render : the picture of a world through a camera. #:width and #:height in pixels. #:samples
+;; camera rays a pixel. #:integrator one of INTEGRATORS. #:seed any whole number of 32 bits; the
+;; same seed gives the same picture, to the bit, whatever the schedule, workers and tile.
+;; #:schedule 'futures or 'sequential. #:crop (list x y width height) renders only that part.
+;; Raises exn:fail:contract on sizes and counts out of range.
+(: render (->* (World Camera)
+               (#:width Integer #:height Integer #:samples Integer #:seed Integer
+                #:integrator Symbol #:schedule Symbol #:workers Integer #:tile Integer
+                #:crop (U #f (List Integer Integer Integer Integer)))
+               Image))
+(define (render world camera #:width [width 640] #:height [height 360] #:samples [samples 16]
+                #:seed [seed 0] #:integrator [integrator 'auto] #:schedule [schedule 'futures]
+                #:workers [workers (default-worker-count)] #:tile [tile 16] #:crop [crop #f])
+  (define-values (image statistics)
+    (render/statistics world camera #:width width #:height height #:samples samples #:seed seed
+                       #:integrator integrator #:schedule schedule #:workers workers #:tile tile
+                       #:crop crop))
+  image)
+
+;; The same with Statistics beside the picture. #:watch is called at the start with a procedure
+;; that tells the part that is done, from 0 to 1, and returns a procedure called at the end.
+(: render/statistics
+   (->* (World Camera)
+        (#:width Integer #:height Integer #:samples Integer #:seed Integer
+         #:integrator Symbol #:schedule Symbol #:workers Integer #:tile Integer
+         #:crop (U #f (List Integer Integer Integer Integer))
+         #:watch (-> (-> Real) (-> Void)))
+        (Values Image Statistics)))
+(define (render/statistics world camera #:width [width 640] #:height [height 360]
+                           #:samples [samples 16] #:seed [seed 0] #:integrator [integrator 'auto]
+                           #:schedule [schedule 'futures]
+                           #:workers [workers (default-worker-count)] #:tile [tile 16]
+                           #:crop [crop #f] #:watch [watch (lambda (done) void)])
+  (define columns (check-count 'render "width" width 1 100000))
+  (define rows (check-count 'render "height" height 1 100000))
+  (define sample-count (check-count 'render "samples" samples 1 1000000000))
+  (define tile-side (check-count 'render "tile" tile 1 100000))
+  (define worker-count (check-count 'render "workers" workers 1 1024))
+  (define seed32 (check-count 'render "seed" seed 0 #xFFFFFFFF))
+  (define area : (List Fixnum Fixnum Fixnum Fixnum)
+    (if crop (check-crop crop columns rows) (list 0 0 columns rows)))
+  (define tiling (Tiling columns rows tile-side area))
+  (define start (current-inexact-milliseconds))
+  (define integrate (World-integrator world integrator))
+  (define built (current-inexact-milliseconds))
+  (define processor-start (current-process-milliseconds))
+  (define camera-kernel
+    (Camera-kernel (Camera-fitted camera (/ columns rows)) columns rows))
+  (define film (make-flvector (fx* 3 (fx* (caddr area) (cadddr area))) 0.0))
+  (define-values (workers* counts)
+    (for/lists ([workers* : (Listof (-> Fixnum Void))] [counts : (Listof FxVector)])
+               ([k (in-range (if (eq? schedule 'sequential) 1 worker-count))])
+      (make-tile-worker tiling sample-count seed32 camera-kernel integrate film)))
+  (define counter (make-tile-counter (tile-count tiling)))
+  (define finish
+    (watch (lambda () (/ (tiles-done counter) (max 1 (tile-count tiling))))))
+  (case schedule
+    [(sequential) (run-sequential workers* counter)]
+    [(futures) (run-futures workers* counter)]
+    [else (raise-expected 'render "schedule" (format "one of ~a" SCHEDULES) schedule)])
+  (finish)
+  (: total (-> Fixnum Fixnum))
+  (define (total place)
+    (for/fold ([sum : Fixnum 0]) ([i (in-list counts)]) (fx+ sum (fxvector-ref i place))))
+  (values
+   (make-Image (caddr area) (cadddr area) film)
+   (Statistics (fx* (caddr area) (cadddr area)) sample-count
+               (total nearest-rays) (total occlusion-rays) (total rejected-samples)
+               (fl/ (fl- built start) 1000.0)
+               (fl/ (fl- (current-inexact-milliseconds) built) 1000.0)
+               (fl/ (fx->fl (fx- (current-process-milliseconds) processor-start)) 1000.0))))
+
+(: check-crop (-> (List Integer Integer Integer Integer) Fixnum Fixnum
+                  (List Fixnum Fixnum Fixnum Fixnum)))
+(define (check-crop crop width height)
+  (define x (check-count 'render "crop's x" (car crop) 0 (- width 1)))
+  (define y (check-count 'render "crop's y" (cadr crop) 0 (- height 1)))
+  (list x y
+        (check-count 'render "crop's width" (caddr crop) 1 (- width x))
+        (check-count 'render "crop's height" (cadddr crop) 1 (- height y))))

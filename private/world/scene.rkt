@@ -1,0 +1,151 @@
+#lang typed/racket/base
+;; A World compiled for rendering: shapes packed in the order of the hierarchy, lights and
+;; materials as kernels. Built once for a World, on first use, and never changed.
+(require racket/vector
+         "../base/unsafe.rkt" "../base/float3.rkt"
+         "../shape/shape.rkt" "../shape/kernel.rkt" "../shape/kernels.rkt" "../shape/sphere.rkt"
+         "../material/material.rkt" "../material/emitter.rkt"
+         "../light/light.rkt" "../light/kernels.rkt"
+         "background.rkt" "hierarchy.rkt")
+
+(provide (struct-out Scene) compile-scene)
+
+;; bounds, links, order: the hierarchy over the bounded primitives. spheres: centre and radius of
+;; the sphere at each place of the hierarchy, radius -1 where the primitive is another shape;
+;; primitive-spheres: the same by primitive.
+;; unbounded: primitives without a box, tried for every ray. kernels: by primitive, #f for
+;; spheres. primitive-materials: index into materials by primitive. extent: the largest coordinate.
+(struct Scene
+  ([bounds : FlVector] [links : FxVector] [order : FxVector] [spheres : FlVector] [primitive-spheres : FlVector]
+   [only-spheres? : Boolean] [unbounded : FxVector]
+   [kernels : (Vectorof (U #f ShapeKernel))]
+   [primitive-materials : FxVector] [materials : (Vectorof Material)]
+   [lights : (Vectorof LightKernel)]
+   [primitive-lights : FxVector]
+   [background : (-> FlVector FxVector Void)]
+   [extent : Flonum]))
+
+;; Boxes are padded by a few roundings of their coordinates, so that a hit the intersection finds
+;; on the very edge of a shape is never outside the box.
+(: put-padded-box! (-> FlVector Fixnum FlVector Void))
+(define (put-padded-box! boxes at box)
+  (let loop ([axis : Fixnum 0])
+    (when (fx< axis 3)
+      (let* ([low (flvector-ref box axis)]
+             [high (flvector-ref box (fx+ axis 3))]
+             [pad (fl* (fl* 8.0 (ROUNDING)) (flmax (flabs low) (flabs high)))])
+        (flvector-set! boxes (fx+ at axis) (fl- low pad))
+        (flvector-set! boxes (fx+ at (fx+ axis 3)) (fl+ high pad)))
+      (loop (fx+ axis 1)))))
+
+(: bounded? (-> FlVector Boolean))
+(define (bounded? box)
+  (let loop ([k : Fixnum 0])
+    (or (fx= k 6) (and (fl< (flabs (flvector-ref box k)) +inf.0) (loop (fx+ k 1))))))
+
+;; Spheres need no kernel of their own: worlds keep them packed.
+(: kernel-or-sphere (-> Shape (U #f ShapeKernel)))
+(define (kernel-or-sphere shape) (if (Sphere? shape) #f (Shape-kernel shape)))
+
+(: shape-bounds (-> Shape (U #f ShapeKernel) FlVector))
+(define (shape-bounds shape kernel)
+  (cond
+    [kernel (ShapeKernel-bounds kernel)]
+    [(Sphere? shape) (Sphere-bounds shape)]
+    [else (flvector)]))
+
+(: compile-scene (-> (Listof Shape) (Listof Light) Background Scene))
+(define (compile-scene shape-list lights background)
+  (define shapes (list->vector shape-list))
+  (define count (vector-length shapes))
+  (define kernels : (Vectorof (U #f ShapeKernel))
+    (vector-map kernel-or-sphere shapes))
+  ;; the bounded primitives and their boxes; the unbounded ones
+  (define boxes (make-flvector (* 6 count) 0.0))
+  (define bounded (make-fxvector count 0))
+  (define unbounded (make-fxvector count 0))
+  (define bounded-count
+    (let loop : Nonnegative-Fixnum ([k : Nonnegative-Fixnum 0] [found : Nonnegative-Fixnum 0])
+      (cond
+        [(< k count)
+         (define box (shape-bounds (vector-ref shapes k) (vector-ref kernels k)))
+         (cond
+           [(bounded? box)
+            (put-padded-box! boxes (fx* 6 found) box)
+            (fxvector-set! bounded found k)
+            (loop (+ k 1) (assert (+ found 1) fixnum?))]
+           [else
+            (fxvector-set! unbounded (fx- k found) k)
+            (loop (+ k 1) found)])]
+        [else found])))
+  (define hierarchy (build-hierarchy boxes bounded-count))
+  (define order (make-fxvector bounded-count 0))
+  (let loop ([place : Fixnum 0])
+    (when (fx< place bounded-count)
+      (fxvector-set! order place
+                     (fxvector-ref bounded (fxvector-ref (Hierarchy-order hierarchy) place)))
+      (loop (fx+ place 1))))
+  (define all (make-fxvector count 0))
+  (let loop ([k : Fixnum 0])
+    (when (fx< k count)
+      (fxvector-set! all k k)
+      (loop (fx+ k 1))))
+  (define-values (primitive-materials materials) (index-materials shapes))
+  (define-values (shape-lights primitive-lights) (find-shape-lights shapes))
+  (Scene (Hierarchy-bounds hierarchy) (Hierarchy-links hierarchy) order
+         (packed-spheres shapes order)
+         (packed-spheres shapes all)
+         (and (= bounded-count count)
+              (for/and : Boolean ([shape (in-vector shapes)]) (Sphere? shape)))
+         (fxvector-copy unbounded 0 (- count bounded-count))
+         kernels primitive-materials materials
+         (list->vector (append shape-lights (map Light-kernel lights)))
+         primitive-lights
+         (Background-kernel background)
+         (largest-magnitude boxes (* 6 bounded-count))))
+
+;; Materials are numbered by identity in order of appearance.
+(: index-materials (-> (Vectorof Shape) (Values FxVector (Vectorof Material))))
+(define (index-materials shapes)
+  (define indices (make-fxvector (vector-length shapes) 0))
+  (define numbers : (HashTable Material Index) (make-hasheq))
+  (let loop ([k : Nonnegative-Fixnum 0] [in-order : (Listof Material) '()])
+    (cond
+      [(= k (vector-length shapes)) (values indices (list->vector (reverse in-order)))]
+      [else
+       (define material (Shape-material (vector-ref shapes k)))
+       (define known (hash-ref numbers material (lambda () #f)))
+       (define number (or known (hash-count numbers)))
+       (unless known (hash-set! numbers material number))
+       (fxvector-set! indices k number)
+       (loop (assert (+ k 1) fixnum?) (if known in-order (cons material in-order)))])))
+
+;; The shapes that shine, and for every primitive its number among them or -1.
+(: find-shape-lights (-> (Vectorof Shape) (Values (Listof LightKernel) FxVector)))
+(define (find-shape-lights shapes)
+  (define primitive-lights (make-fxvector (vector-length shapes) -1))
+  (let loop ([k : Nonnegative-Fixnum 0] [found : Fixnum 0] [lights : (Listof LightKernel) '()])
+    (cond
+      [(= k (vector-length shapes)) (values (reverse lights) primitive-lights)]
+      [(Emitter? (Shape-material (vector-ref shapes k)))
+       (fxvector-set! primitive-lights k found)
+       (loop (assert (+ k 1) fixnum?) (fx+ found 1)
+             (cons (Shape-light-kernel (vector-ref shapes k) k) lights))]
+      [else (loop (assert (+ k 1) fixnum?) found lights)])))
+
+(: packed-spheres (-> (Vectorof Shape) FxVector FlVector))
+(define (packed-spheres shapes order)
+  (define packed (make-flvector (* 4 (fxvector-length order)) -1.0))
+  (let loop ([place : Fixnum 0])
+    (when (fx< place (fxvector-length order))
+      (let ([shape (vector-ref shapes (fxvector-ref order place))])
+        (when (Sphere? shape)
+          (Float3-put! packed (fx* 4 place) (Sphere-point shape))
+          (flvector-set! packed (fx+ 3 (fx* 4 place)) (Sphere-radius shape))))
+      (loop (fx+ place 1))))
+  packed)
+
+(: largest-magnitude (-> FlVector Integer Flonum))
+(define (largest-magnitude v end)
+  (for/fold ([largest : Flonum 0.0]) ([k (in-range end)])
+    (flmax largest (flabs (flvector-ref v (assert k fixnum?))))))
