@@ -59,10 +59,13 @@
   [accept-ties 1]
   ;; nesting: level of instances entered, first free place of the traversal stack
   [nest-level 1] [stack-base 1]
-  ;; the sampler: hash of (pixel, seed), sample index, next dimension
+  ;; the sampler: hash of (pixel, seed), sample index, next dimension; a fold over many samples
   [sampler-key 1] [sampler-index 1] [sampler-dimension 1]
+  [fold-start 1] [fold-seed-u 1] [fold-seed-v 1]
   ;; what was counted: rays asked for their nearest hit, occlusion rays, rejected samples
   [nearest-rays 1] [occlusion-rays 1] [rejected-samples 1]
+  ;; places of primitives gathered around a point, and how many; -1 when there were too many
+  [gathered-count 1] [gathered 32]
   ;; the path: bounces so far, flags of the last scattering
   [path-depth 1] [scatter-flags 1] [fixnum-workspace 8]
   [stack 1024])

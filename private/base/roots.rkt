@@ -66,52 +66,49 @@
           found))))
 
 ;; Finds the next change of sign of a function that has the sign of the quartic
-;; t^4 + 2 p t^2 + 4 q t + s, between `from` and `high`, where it is positive at `high` and negative
-;; at `from` exactly if `inside?`. (evaluate t (value slope) body) binds the function and its
-;; derivative at t; what has the quartic's sign but not its cancellation may stand in for it.
+;; t^4 + 2 p t^2 + 4 q t + s, between `from`, where its value is from-value, and `high`, where it is
+;; taken as high-value, which is not negative. (evaluate t (value slope) body) binds the function
+;; and its derivative at t; what has the quartic's sign but not its cancellation may stand in for it.
 ;;
 ;; Between two extremes there is at most one change, so roots are never missed singly and a line
 ;; from outside meets an even number. The extremes are roots of t^3 + p t + q, at most one in each
 ;; of the pieces that its own extremes and its inflection cut; in a piece Newton's iteration from
 ;; the end where cubic and curvature agree in sign runs monotonically to the root. `piece` (0 to 4)
 ;; is the first piece not yet passed. `found` sees the root and from where to go on: next-piece,
-;; next-from and next-inside?.
+;; next-from and next-value.
 (define-syntax-rule
-  (find-sign-change (evaluate) (p q) (piece from inside?) high
-                    #:found (root next-piece next-from next-inside?) found
+  (find-sign-change (evaluate) (p q) (piece from from-value) (high high-value)
+                    #:found (root next-piece next-from next-value) found
                     #:none none)
   (let* ([turn (if (fl< p 0.0) (flsqrt (fl* p (fl/ -1.0 3.0))) 0.0)]
          [span (fl+ (flabs from) (flabs high))]
          [extreme-tolerance (fl* span (EXTREME-TOLERANCE))]
-         [root-tolerance (fl* span (ROOT-TOLERANCE))])
-    (let walk ([at : Fixnum piece] [start : Flonum from] [inside : Boolean inside?])
-      (define-syntax-rule (refine next-piece* end inside-at-end)
-        ;; Newton inside a bracket, halved where a step leaves it or does not halve the last one
-        (let* ([next-piece next-piece*] [next-from end] [next-inside? inside-at-end])
-          (let refining ([low : Flonum start] [up : Flonum end]
-                         [t : Flonum (fl* 0.5 (fl+ start end))]
-                         [last-step : Flonum (fl- end start)])
+         [root-tolerance (fl* span (ROUNDING))])
+    (let walk ([at : Fixnum piece] [start : Flonum from] [start-value : Flonum from-value])
+      ;; Newton inside a bracket, halved where a step leaves it or does not halve the last one; the
+      ;; first guess from a parabola whose turning point is an end of the bracket
+      (define-syntax-rule (refine next-piece* end end-value turning)
+        (let* ([next-piece next-piece*] [next-from end] [next-value end-value]
+               [rising? (fl< start-value 0.0)]
+               [first-guess (parabola-root turning start start-value next-from next-value)])
+          (let refining ([low : Flonum start] [up : Flonum next-from]
+                         [t : Flonum first-guess] [last-step : Flonum 0.0])
             (evaluate t (value slope)
-              (let* ([before? (if inside (fl< value 0.0) (fl>= value 0.0))]
+              (let* ([before? (eq? rising? (fl< value 0.0))]
                      [low* (if before? t low)]
                      [up* (if before? up t)]
                      [newton (fl- t (fl/ value slope))]
-                     [middle (fl* 0.5 (fl+ low* up*))]
-                     [next (if (and (fl>= newton low*) (fl<= newton up*)
-                                    (fl<= (flabs (fl- newton t)) (fl* 0.5 (flabs last-step))))
-                               newton
-                               middle)]
+                     [newton-step (fl- newton t)]
+                     [good? (and (fl>= newton low*) (fl<= newton up*)
+                                 (or (fl= last-step 0.0)
+                                     (fl<= (flabs newton-step) (fl* 0.5 (flabs last-step)))))]
+                     [next (if good? newton (fl* 0.5 (fl+ low* up*)))]
                      [step (fl- next t)])
-                (if (fl> (flabs step) root-tolerance)
-                    (refining low* up* next step)
+                (if (improvable? step last-step root-tolerance)
+                    (refining low* up* next (if good? step 0.0))
                     (let ([root (fl+ next 0.0)]) found)))))))
       (cond
-        [(fx= at 4)
-         (if inside
-             (refine 5 high #f)
-             none)]
-        [(fx> at 4) none]
-        [else
+        [(fx< at 4)
          (let* ([piece-low (if (fx< at 2) (if (fx= at 0) -inf.0 (fl* -1.0 turn))
                                (if (fx= at 2) 0.0 turn))]
                 [piece-high (if (fx< at 2) (if (fx= at 0) (fl* -1.0 turn) 0.0)
@@ -119,30 +116,49 @@
                 [left (if (fl< piece-low start) start piece-low)]
                 [right (if (fl< high piece-high) high piece-high)])
            (if (fl< left right)
-               (let* ([cubic-left (cubic p q left)]
-                      [cubic-right (cubic p q right)]
-                      [falling-at-left? (fl< cubic-left 0.0)])
-                 (if (eq? falling-at-left? (fl< cubic-right 0.0))
-                     (walk (fx+ at 1) start inside)
-                     (let* ([good-left? (if (fx< at 2) falling-at-left? (not falling-at-left?))])
-                       (let climbing ([t : Flonum (if good-left? left right)])
+               (let* ([falling-at-left? (fl< (cubic p q left) 0.0)]
+                      [falling-at-right? (fl< (cubic p q right) 0.0)])
+                 (if (eq? falling-at-left? falling-at-right?)
+                     (walk (fx+ at 1) start start-value)
+                     (let* ([good-left? (eq? (fx< at 2) falling-at-left?)]
+                            [good-end (if good-left? left right)])
+                       (let climbing ([t : Flonum good-end] [last-step : Flonum 0.0])
                          (let* ([next (fl- t (fl/ (cubic p q t) (fl+ (fl* 3.0 (fl* t t)) p)))]
-                                [kept (if (fl>= next left) (if (fl<= next right) next right) left)])
-                           (if (fl> (flabs (fl- kept t)) extreme-tolerance)
-                               (climbing kept)
+                                [kept (if (fl>= next left) (if (fl<= next right) next right) left)]
+                                [step (fl- kept t)])
+                           (if (improvable? step last-step extreme-tolerance)
+                               (climbing kept step)
                                (evaluate kept (value slope)
-                                 (let* ([inside-here (fl< value 0.0)])
-                                   (if (eq? inside-here inside)
-                                       (walk (fx+ at 1) kept inside)
-                                       (refine (fx+ at 1) kept inside-here))))))))))
-               (walk (fx+ at 1) start inside)))]))))
+                                 (if (eq? (fl< value 0.0) (fl< start-value 0.0))
+                                     (walk (fx+ at 1) kept value)
+                                     (refine (fx+ at 1) kept value kept)))))))))
+               (walk (fx+ at 1) start start-value)))]
+        [(and (fx= at 4) (fl< start-value 0.0))
+         (refine 5 high high-value start)]
+        [else none]))))
+
+;; Whether a Newton step still leaves an error above the tolerance: the error after a step is to the
+;; step as its square is to the square of the last; last-step is 0 where none came before.
+(define-syntax-rule (improvable? step last-step tolerance)
+  (and (fl> (flabs step) tolerance)
+       (fl> (fl* (flabs step) (fl* step step)) (fl* tolerance (fl* last-step last-step)))))
+
+;; The root between start and end, where the values differ in sign, of the parabola through both
+;; that turns at `turning`, one of them.
+(define-syntax-rule (parabola-root turning start start-value end end-value)
+  (let* ([turning-at-end? (fl= turning end)]
+         [turning-value (if turning-at-end? end-value start-value)]
+         [other (if turning-at-end? start end)]
+         [other-value (if turning-at-end? start-value end-value)])
+    (fl+ turning (fl* (fl- other turning)
+                      (flsqrt (fl/ turning-value (fl- turning-value other-value)))))))
 
 (define-syntax-rule (cubic p q t)
   (fl+ (fl* (fl+ (fl* t t) p) t) q))
 
 ;; An extreme only separates roots; a root is wanted to the last bit.
 (define-syntax-rule (EXTREME-TOLERANCE) 2.3283064365386963e-10) ; 2^-32
-(define-syntax-rule (ROOT-TOLERANCE) 1.1102230246251565e-16)
+(define-syntax-rule (ROUNDING) 1.1102230246251565e-16) ; 2^-53
 
 ;; The finite real roots of a t^2 + b t + c in ascending order, a double root twice: '(), one where
 ;; a = 0, or two; '() where a = b = 0. Coefficients: any finite numbers; they are scaled by powers
@@ -196,8 +212,12 @@
     (let* ([value (fl+ (fl* (fl+ (fl* (fl+ (fl* t t) p) t) q) t) s)]
            [slope (fl+ (fl* (fl+ (fl* 4.0 (fl* t t)) (fl* 2.0 p)) t) q)])
       body))
-  (let more ([piece : Fixnum 0] [from : Flonum low] [inside? : Boolean #f])
-    (find-sign-change (evaluate) ((fl* 0.5 p) (fl* 0.25 q)) (piece from inside?) high
-      #:found (root next-piece next-from next-inside?)
-      (cons root (more next-piece next-from next-inside?))
+  (define-syntax-rule (value-at t) (evaluate t (value slope) value))
+  (define half-p (fl* 0.5 p))
+  (define quarter-q (fl* 0.25 q))
+  (let more ([piece : Fixnum 0] [from : Flonum low] [from-value : Flonum (flmax 0.0 (value-at low))])
+    (find-sign-change (evaluate) (half-p quarter-q) (piece from from-value)
+                      (high (flmax 0.0 (value-at high)))
+      #:found (root next-piece next-from next-value)
+      (cons root (more next-piece next-from next-value))
       #:none '())))

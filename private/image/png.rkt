@@ -90,30 +90,96 @@
 ;; ----------------------------------------------------------------------------------------------
 ;; Reading
 
-;; Deflate spends at least one byte on 1032, JPEG at least one bit on a block of 64 samples, so a
-;; header that claims more than the file can hold is refused before any memory follows it.
+;; The decoders behind racket/draw do not end when a file does, so what they are given is whole:
+;; checked here chunk by chunk or segment by segment. Deflate spends at least one byte on 1032,
+;; JPEG at least one bit on 64 samples, so a header that claims more than the file can hold is
+;; refused before memory follows it.
 (define PNG-RATIO 1032)
 (define JPEG-RATIO 512)
 
-;; Image-read-png : the Image in a PNG file, sRGB decoded to linear, transparency ignored. Raises
-;; exn:fail:user with the file and what was expected when it is malformed.
+;; Image-read-png : the Image in a PNG file, taken as sRGB and decoded to linear; transparency is
+;; ignored. Raises exn:fail:user with the file and the byte offset when it is malformed.
 (define (Image-read-png path)
   (define bytes (read-picture-file path (list SIGNATURE) "a PNG signature"))
-  (unless (and (>= (bytes-length bytes) 33) (equal? (subbytes bytes 12 16) #"IHDR"))
+  (define chunks (png-chunks path bytes))
+  (unless (and (equal? (chunk-type (car chunks)) #"IHDR") (= (bytes-length (car chunks)) 25))
     (picture-error path "byte 8: expected the IHDR chunk of a PNG"))
   (define width (integer-bytes->integer bytes #f #t 16 20))
   (define height (integer-bytes->integer bytes #f #t 20 24))
   (define channels (case (bytes-ref bytes 25) [(2) 3] [(4) 2] [(6) 4] [else 1]))
   (define bits-per-pixel (* (bytes-ref bytes 24) channels))
   (check-claim path bytes 16 width height (quotient (+ (* width bits-per-pixel) 7) 8) PNG-RATIO)
-  (decode path bytes "a PNG" width height))
+  ;; the other chunks are advice, some of which the decoder follows according to the environment
+  (define wanted
+    (for/list ([c (in-list chunks)]
+               #:when (member (chunk-type c) '(#"IHDR" #"PLTE" #"tRNS" #"IDAT" #"IEND")))
+      c))
+  (decode path (apply bytes-append SIGNATURE wanted) "a PNG" width height))
+
+;; All chunks up to IEND, each with its length, type and checksum.
+(define (png-chunks path bytes)
+  (define end (bytes-length bytes))
+  (let next-chunk ([at 8] [chunks '()])
+    (define stop
+      (if (<= (+ at 12) end) (+ at 12 (integer-bytes->integer bytes #f #t at (+ at 4))) +inf.0))
+    (unless (<= stop end)
+      (picture-error path "byte ~a: expected a whole PNG chunk, found the end of the file" at))
+    (unless (= (crc32 (subbytes bytes (+ at 4) (- stop 4)))
+               (integer-bytes->integer bytes #f #t (- stop 4) stop))
+      (picture-error path "byte ~a: expected the checksum of a PNG chunk, found another" (- stop 4)))
+    (define this (subbytes bytes at stop))
+    (if (equal? (chunk-type this) #"IEND")
+        (reverse (cons this chunks))
+        (next-chunk stop (cons this chunks)))))
+
+(define (chunk-type chunk)
+  (subbytes chunk 4 8))
 
 ;; Image-read-jpeg : the same for a JPEG file.
 (define (Image-read-jpeg path)
   (define bytes (read-picture-file path '(#"\377\330") "a JPEG start marker"))
-  (define-values (frame width height) (jpeg-size path bytes))
+  (define frame (jpeg-frame path bytes))
+  (define width (integer-bytes->integer bytes #f #t (+ frame 7) (+ frame 9)))
+  (define height (integer-bytes->integer bytes #f #t (+ frame 5) (+ frame 7)))
   (check-claim path bytes frame width height width JPEG-RATIO)
-  (decode path bytes "a JPEG" width height))
+  ;; end markers follow, further than any segment reaches
+  (define padding (apply bytes-append (for/list ([_ (in-range 40000)]) #"\377\331")))
+  (decode path (bytes-append bytes padding) "a JPEG" width height))
+
+;; The offset of the frame header (SOF) in a sequence of segments that lasts to the end marker.
+(define (jpeg-frame path bytes)
+  (define end (bytes-length bytes))
+  (define (fail at)
+    (picture-error path "byte ~a: expected a JPEG segment, found ~a"
+                   (min at end) (show-bytes (subbytes bytes (min at end) (min (+ at 2) end)))))
+  (let next-segment ([at 2] [frame #f])
+    (unless (and (<= (+ at 2) end) (eqv? (bytes-ref bytes at) #xFF)) (fail at))
+    (define marker (bytes-ref bytes (+ at 1)))
+    (define (segment-end)
+      (unless (<= (+ at 4) end) (fail at))
+      (define stop (+ at 2 (integer-bytes->integer bytes #f #t (+ at 2) (+ at 4))))
+      (unless (<= (+ at 4) stop end) (fail at))
+      stop)
+    (cond [(eqv? marker #xFF) (next-segment (+ at 1) frame)] ; padding
+          [(eqv? marker #xD9) (or frame (fail at))]
+          [(eqv? marker #xDA) (next-segment (scan-end bytes (segment-end)) frame)]
+          [(and (<= #xC0 marker #xCF) (not (memv marker '(#xC4 #xC8 #xCC))))
+           (unless (>= (- (segment-end) at) 10) (fail at))
+           (next-segment (segment-end) (or frame at))]
+          [(>= marker #xC0) (next-segment (segment-end) frame)]
+          [else (fail at)])))
+
+;; Where the coded data that begin at an offset end: at a marker that is neither a stuffed zero
+;; nor a restart, or at the end of the file.
+(define (scan-end bytes start)
+  (define last (- (bytes-length bytes) 1))
+  (let loop ([at start])
+    (cond [(>= at last) (+ last 1)]
+          [(and (eqv? (bytes-ref bytes at) #xFF)
+                (not (or (eqv? (bytes-ref bytes (+ at 1)) 0)
+                         (<= #xD0 (bytes-ref bytes (+ at 1)) #xD7))))
+           at]
+          [else (loop (+ at 1))])))
 
 (define (check-claim path bytes offset width height bytes-per-row ratio)
   (unless (and (positive? width) (positive? height)
@@ -121,23 +187,6 @@
     (picture-error path "byte ~a: expected a size that ~a bytes can hold, found ~ax~a pixels"
                    offset (bytes-length bytes) width height)))
 
-;; Where the frame header (SOF) stands, and the width and height in it.
-(define (jpeg-size path bytes)
-  (define end (bytes-length bytes))
-  (define (fail at)
-    (picture-error path "byte ~a: expected a JPEG segment or frame header" at))
-  (let next-segment ([at 2])
-    (unless (and (< (+ at 9) end) (eqv? (bytes-ref bytes at) #xFF)) (fail at))
-    (define marker (bytes-ref bytes (+ at 1)))
-    (cond [(eqv? marker #xFF) (next-segment (+ at 1))] ; padding
-          [(and (<= #xC0 marker #xCF) (not (memv marker '(#xC4 #xC8 #xCC))))
-           (values at
-                   (integer-bytes->integer bytes #f #t (+ at 7) (+ at 9))
-                   (integer-bytes->integer bytes #f #t (+ at 5) (+ at 7)))]
-          [(or (<= #xD0 marker #xDA) (< marker #xC0)) (fail at)]
-          [else (next-segment (+ at 2 (integer-bytes->integer bytes #f #t (+ at 2) (+ at 4))))])))
-
-;; decode-picture gives the red, green and blue bytes, or #f.
 (define (decode path bytes what width height)
   (define rgb (decode-picture bytes width height))
   (unless rgb

@@ -6,7 +6,7 @@
          "../sample/sampler.rkt" "../sample/warp.rkt"
          "../material/material.rkt" "../material/phong.rkt" "../material/emitter.rkt"
          "../material/color.rkt" "../light/light.rkt"
-         "../world/scene.rkt" "../world/trace.rkt" "../world/world.rkt")
+         "../world/scene.rkt" "../world/trace.rkt" "../world/gather.rkt" "../world/world.rkt")
 
 (provide seed-integrator local-shading pack-materials ambient-visibility! face-viewer!
          put-ray-from-surface!)
@@ -150,13 +150,11 @@
 (define (add-light! scene light shadow-samples packed r i)
   (define sample! (LightKernel-sample light))
   (define count (if (and (LightKernel-area? light) (fx> shadow-samples 1)) shadow-samples 1))
-  (define dimension (fxvector-ref i sampler-dimension))
-  (define start (fx* count (fxvector-ref i sampler-index)))
-  (fxvector-set! i sampler-dimension (fx+ dimension 1))
+  (when (LightKernel-area? light) (sample-fold-start! i count))
   (fxvector-set! i ignored-primitive (LightKernel-primitive light))
   (let fold ([n : Fixnum 0])
     (when (fx< n count)
-      (when (LightKernel-area? light) (sample-pair! r i dimension (fx+ start n)))
+      (when (LightKernel-area? light) (sample-fold-pair! r i n))
       (sample! r i)
       (when (and (light-in-front? r)
                  (or (fx= shadow-samples 0) (not (shadowed? scene r i))))
@@ -203,28 +201,40 @@
                                  (Float3 highlight highlight highlight))))))))
 
 ;; The article's percentage of ambient light at the surface in the scratch, into ambient-percent:
-;; the mean over directions of min(1, distance / max-occlusion-distance), or of visibility.
+;; the mean over directions of min(1, distance / max-occlusion-distance), or of visibility. Where
+;; nothing is near enough to occlude, it is 1 without a ray.
 (: ambient-visibility! (-> Scene Shading FlVector FxVector Void))
 (define (ambient-visibility! scene shading r i)
+  (put-ray-from-surface! r)
+  (Scene-gather! scene (Shading-max-occlusion-distance shading) r i)
+  (cond
+    [(fx= 0 (fxvector-ref i gathered-count))
+     (fxvector-set! i sampler-dimension (fx+ 1 (fxvector-ref i sampler-dimension)))
+     (flvector-set! r ambient-percent 1.0)]
+    [else (fold-visibility! scene shading r i)]))
+
+(: fold-visibility! (-> Scene Shading FlVector FxVector Void))
+(define (fold-visibility! scene shading r i)
   (define count (Shading-ambient-samples shading))
   (define max-distance (Shading-max-occlusion-distance shading))
   (define cosine? (eq? 'cosine (Shading-ambient-weighting shading)))
   (define linear? (eq? 'linear (Shading-occlusion-falloff shading)))
-  (define dimension (fxvector-ref i sampler-dimension))
-  (define start (fx* count (fxvector-ref i sampler-index)))
-  (fxvector-set! i sampler-dimension (fx+ dimension 1))
-  (put-ray-from-surface! r)
+  (define gathered? (fx> (fxvector-ref i gathered-count) 0))
+  (sample-fold-start! i count)
   (flvector-set! r ambient-percent 0.0)
   (let fold ([n : Fixnum 0])
     (when (fx< n count)
-      (sample-pair! r i dimension (fx+ start n))
+      (sample-fold-pair! r i n)
       (put-hemisphere-direction! r cosine?)
       (flvector-set! r ray-limit max-distance)
-      (cond
-        [linear?
-         (let ([hit? (Scene-nearest! scene r i)])
-           (add-percent! r (if hit? (fl/ (flvector-ref r hit-t) max-distance) 1.0)))]
-        [(not (Scene-occluded? scene r i)) (add-percent! r 1.0)])
+      (let ([hit? (cond
+                    [gathered? (Scene-nearest-gathered! scene r i)]
+                    [linear? (Scene-nearest! scene r i)]
+                    [else (Scene-occluded? scene r i)])])
+        (add-percent! r (cond
+                          [(not hit?) 1.0]
+                          [linear? (fl/ (flvector-ref r hit-t) max-distance)]
+                          [else 0.0])))
       (fold (fx+ n 1))))
   (flvector-set! r ambient-percent
                  (fl/ (flvector-ref r ambient-percent) (fx->fl count))))

@@ -3,7 +3,8 @@
 ;; the key stands for pixel, seed and randomisation. Kernels ask for one pair at a time.
 (require "../base/unsafe.rkt" "../base/registers.rkt" "hash.rkt")
 
-(provide Sampler-start! sample-pair! sample-next-pair! owen-sobol-pair!)
+(provide Sampler-start! sample-pair! sample-next-pair! owen-sobol-pair!
+         sample-fold-start! sample-fold-pair!)
 
 ;; Prepares the scratch for one sample of one pixel.
 (: Sampler-start! (-> FxVector Fixnum Fixnum Fixnum Void))
@@ -19,7 +20,27 @@
   (fxvector-set! i sampler-dimension (fx+ dimension 1))
   (sample-pair! r i dimension (fxvector-ref i sampler-index)))
 
-;; The pair of a dimension at an index, for loops that take many samples at one point.
+;; Begins a fold over `count` samples at one point of the path: a dimension of its own, in which
+;; every camera sample has its own block of `count` consecutive points, so that all blocks together
+;; are well spread too. The blocks are shuffled like the indices of other dimensions.
+(: sample-fold-start! (-> FxVector Fixnum Void))
+(define (sample-fold-start! i count)
+  (define dimension (fxvector-ref i sampler-dimension))
+  (define seed (hash-pair (fxvector-ref i sampler-key) dimension))
+  (define block (shuffled-index (fxvector-ref i sampler-index) seed))
+  (define seed-u (hash32 seed))
+  (fxvector-set! i sampler-dimension (fx+ dimension 1))
+  (fxvector-set! i fold-start (fxand (fx*/wraparound block count) (MASK32)))
+  (fxvector-set! i fold-seed-u seed-u)
+  (fxvector-set! i fold-seed-v (hash32 seed-u)))
+
+;; The pair of the n-th sample of the fold.
+(: sample-fold-pair! (-> FlVector FxVector Fixnum Void))
+(define (sample-fold-pair! r i n)
+  (define index (fxand (fx+ n (fxvector-ref i fold-start)) (MASK32)))
+  (put-scrambled-sobol! r index (fxvector-ref i fold-seed-u) (fxvector-ref i fold-seed-v)))
+
+;; The pair of a dimension at an index.
 (: sample-pair! (-> FlVector FxVector Fixnum Fixnum Void))
 (define (sample-pair! r i dimension index)
   (owen-sobol-pair! r (hash-pair (fxvector-ref i sampler-key) dimension) index))
@@ -58,14 +79,21 @@
          [x (fxxor x (fxand (fxrshift x 2) (fixnum-literal #x33333333)))])
     (fxxor x (fxand (fxrshift x 1) (fixnum-literal #x55555555)))))
 
+;; An index moved within its aligned block of every size by an Owen scramble.
+(define-syntax-rule (shuffled-index index seed)
+  (reverse-bits (scramble-reversed (reverse-bits index) seed)))
+
+;; The first two Sobol dimensions at an index, each scrambled by its own seed.
+(define-syntax-rule (put-scrambled-sobol! r index0 seed-u seed-v)
+  (let ([index index0])
+    (flvector-set! r sample-u (hash->unit (reverse-bits (scramble-reversed index seed-u))))
+    (flvector-set! r sample-v
+                   (hash->unit (reverse-bits (scramble-reversed (pascal index) seed-v))))))
+
 ;; The first two Sobol dimensions, their index shuffled and each scrambled by its own seed
 ;; (Burley, "Practical Hash-based Owen Scrambling", JCGT 2020). Every 2^m points that start at a
 ;; multiple of 2^m are a (0,m,2)-net; other dimensions are other seeds.
 (: owen-sobol-pair! (-> FlVector Fixnum Fixnum Void))
 (define (owen-sobol-pair! r seed index)
   (define seed-u (hash32 seed))
-  (define seed-v (hash32 seed-u))
-  (define shuffled (reverse-bits (scramble-reversed (reverse-bits index) seed)))
-  (flvector-set! r sample-u (hash->unit (reverse-bits (scramble-reversed shuffled seed-u))))
-  (flvector-set! r sample-v
-                 (hash->unit (reverse-bits (scramble-reversed (pascal shuffled) seed-v)))))
+  (put-scrambled-sobol! r (shuffled-index index seed) seed-u (hash32 seed-u)))

@@ -1,0 +1,101 @@
+#lang racket/base
+;; The flags of rendering. They may stand before and after the scene.
+(require racket/cmdline "values.rkt")
+
+(provide parse-render-flags parse-words)
+
+;; parse-render-flags : the options that are set, a hash from symbols to checked values, and the
+;; scene's name. Prints the help and exits where it is asked for.
+(define (parse-render-flags program words)
+  (parse-words program words render-flags '("scene")
+               (lambda (settings scene) (values (make-immutable-hasheq settings) scene))))
+
+(define (count-flag key check)
+  (lambda (flag text) (cons key (check flag text (text->natural text)))))
+
+(define (text-flag key)
+  (lambda (flag text) (cons key text)))
+
+(define (name-flag key)
+  (lambda (flag text) (cons key (string->symbol text))))
+
+(define (switch key)
+  (lambda (flag) (cons key #t)))
+
+(define render-flags
+  `((usage-help
+     "Renders <scene>: a Racket module that provides `world` and `camera`, and perhaps `settings`,"
+     "given as a .rkt file or as the name of a scene of this package."
+     "Or, in place of <scene> and options:"
+     "  list           tells the scenes of this package"
+     "  compare A B    tells how far picture A is from picture B")
+    (once-each
+     [("-o" "--output") ,(text-flag 'output)
+                        (("Write the picture to <file>: .ppm, .pfm (linear) or .png;"
+                          "- is PPM to standard output; by default the scene's name with .ppm")
+                         "file")]
+     [("--size") ,(lambda (flag text)
+                    (cons 'size (check-size flag text (text->naturals text #rx"x"))))
+                 ("Width and height in pixels; by default the scene's, else 640x360" "WxH")]
+     [("--samples") ,(count-flag 'samples check-samples)
+                    ("Camera rays for a pixel; by default the scene's, else 16" "n")]
+     [("--seed") ,(count-flag 'seed check-seed)
+                 ("Another seed gives another noise; by default the scene's, else 0" "n")]
+     [("--integrator") ,(name-flag 'integrator)
+                       (("What a pixel shows:"
+                         "auto, seed, ambient-occlusion, normals or depth")
+                        "name")]
+     [("--crop") ,(text-flag 'crop)
+                 ("Render only this part of the picture" "X,Y,W,H")])
+    (help-labels "" "These change how fast the picture comes, and not one bit of it:" "")
+    (once-each
+     [("--schedule") ,(name-flag 'schedule) ("sequential or futures (the default)" "name")]
+     [("--workers") ,(count-flag 'workers check-workers)
+                    ("How many at a time; by default one for each processor" "n")]
+     [("--tile") ,(count-flag 'tile check-tile)
+                 ("Side of the squares that workers take, in pixels; by default 16" "n")])
+    (help-labels "" "What is told on standard error:" "")
+    (once-each
+     [("--stats") ,(switch 'stats) ("Counts and times")]
+     [("--stats-json") ,(text-flag 'stats-json) ("The same as JSON in <file>" "file")]
+     [("--quiet") ,(switch 'quiet) ("No progress and no closing line")])))
+
+;; ----------------------------------------------------------------------------------------------
+
+;; parse-words : parse-command-line for a program with its words, where flags may follow other words
+;; and errors do not start with the program's name. table: the flags as parse-command-line takes them.
+;; names: what the other words stand for. finish: called with the list of flag values and those words.
+(define (parse-words program words table names finish)
+  (define prefix (string-append program ": "))
+  (with-handlers ([exn:fail:user?
+                   (lambda (e) (raise-user-error (without-prefix prefix (exn-message e))))])
+    (parse-command-line program (flags-first words table) table finish names
+                        (lambda (help) (display help) (exit 0))
+                        (lambda (flag)
+                          (raise-user-error
+                           (format "~a: expected one of the flags that ~a --help tells"
+                                   flag program))))))
+
+(define (without-prefix prefix text)
+  (if (and (> (string-length text) (string-length prefix))
+           (string=? prefix (substring text 0 (string-length prefix))))
+      (substring text (string-length prefix))
+      text))
+
+;; The same words with the flags and what belongs to them moved to the front.
+(define (flags-first words table)
+  (define with-argument
+    (for*/list ([set (in-list table)] #:when (memq (car set) '(once-each once-any multi))
+                [line (in-list (cdr set))] #:unless (null? (cdr (caddr line)))
+                [flag (in-list (car line))])
+      flag))
+  (let sort ([words words] [flags '()] [others '()])
+    (define (done others) (append (reverse flags) '("--") others))
+    (cond
+      [(null? words) (done (reverse others))]
+      [(string=? (car words) "--") (done (append (reverse others) (cdr words)))]
+      [(not (regexp-match? #rx"^-." (car words)))
+       (sort (cdr words) flags (cons (car words) others))]
+      [(and (member (car words) with-argument) (pair? (cdr words)))
+       (sort (cddr words) (list* (cadr words) (car words) flags) others)]
+      [else (sort (cdr words) (cons (car words) flags) others)])))

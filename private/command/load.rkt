@@ -1,0 +1,73 @@
+#lang racket/base
+;; Loading a scene: a Racket module anywhere on disk, compiled in memory where it has to be.
+(require "line.rkt" "values.rkt" "../world/world.rkt" "../world/camera.rkt")
+
+(provide load-scene)
+
+;; load-scene : the world, the camera and the settings (an empty hash where there are none) that a
+;; module provides. word: the scene as the user named it. What the scene prints goes to standard
+;; error. Every failure is one line (exn:fail:user) that starts with word.
+(define (load-scene word path)
+  (define (failed e) (raise-user-error (format "~a: ~a" (place word path e) (reason e))))
+  (define (get name otherwise)
+    (dynamic-require path name otherwise))
+  (define-values (world camera settings)
+    (parameterize ([current-namespace (variable-reference->empty-namespace (#%variable-reference))]
+                   [current-output-port (current-error-port)]
+                   [current-command-line-arguments #()]
+                   [exit-handler (lambda (code) (raise-user-error "left by (exit)"))])
+      (with-handlers ([(lambda (e) (not (exn:break? e))) failed])
+        (dynamic-require path #f)
+        (values (get 'world (lambda () missing)) (get 'camera (lambda () missing))
+                (get 'settings (lambda () (hash)))))))
+  (check-provided word 'world "a World" World? world)
+  (check-provided word 'camera "a Camera" Camera? camera)
+  (values world camera (check-settings word settings)))
+
+(define missing (string->uninterned-symbol "missing"))
+
+(define (check-provided word name expected right? value)
+  (cond
+    [(eq? value missing)
+     (raise-user-error (format "~a: expected a module that provides `~a`, ~a; it does not"
+                               word name expected))]
+    [(not (right? value))
+     (raise-user-error (format "~a: expected `~a` to be ~a, found ~e"
+                               word name expected value))]))
+
+;; settings: a hash with any of the keys 'size (list width height), 'samples, 'seed, 'integrator.
+(define (check-settings word settings)
+  (define expected "a hash with keys among 'size, 'samples, 'seed and 'integrator")
+  (unless (hash? settings)
+    (raise-user-error (format "~a: expected `settings` to be ~a, found ~e" word expected settings)))
+  (for ([(key value) (in-hash settings)])
+    (define what (format "~a: settings, ~e" word key))
+    (define given (format "~e" value))
+    (case key
+      [(size) (check-size what given value)]
+      [(samples) (check-samples what given value)]
+      [(seed) (check-seed what given value)]
+      [(integrator) (unless (symbol? value) (unexpected what given "a symbol"))]
+      [else (unexpected (format "~a: settings" word) (format "~e" key) expected)]))
+  settings)
+
+;; ----------------------------------------------------------------------------------------------
+
+(define (reason e)
+  (cond
+    [(not (exn? e)) (format "raised ~e" e)]
+    [(exn:srclocs? e) (regexp-replace #px"^\\S+?:\\d+:\\d+: " (exn-message e) "")]
+    [else (exn-message e)]))
+
+;; The scene's name, with the line where it went wrong if that is known.
+(define (place word path e)
+  (define locations
+    (append (if (exn:srclocs? e) ((exn:srclocs-accessor e) e) '())
+            (if (exn? e)
+                (map cdr (continuation-mark-set->context (exn-continuation-marks e)))
+                '())))
+  (define line
+    (for/first ([location (in-list locations)]
+                #:when (and location (equal? (srcloc-source location) path)))
+      (srcloc-line location)))
+  (if line (format "~a:~a" word line) word))

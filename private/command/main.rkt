@@ -1,0 +1,37 @@
+#lang racket/base
+;; raco raytrace: the first word names a subcommand, or the scene to render. Whatever goes wrong
+;; ends in one line on standard error and exit code 1; an interrupt in 130. Nothing heavy is loaded
+;; before the words have been understood.
+(require raco/command-name racket/lazy-require "line.rkt" "flags.rkt")
+
+(lazy-require ["render.rkt" (render-scene)]
+              ["list.rkt" (list-scenes)]
+              ["compare.rkt" (compare-pictures)])
+
+(define program (short-program+command-name))
+
+(define (run words)
+  (case (and (pair? words) (car words))
+    [("list") (list-scenes (subcommand-name "list") (cdr words))]
+    [("compare") (compare-pictures (subcommand-name "compare") (cdr words))]
+    [else
+     (define-values (options scene) (parse-render-flags program words))
+     (render-scene options scene)]))
+
+(define (subcommand-name word) (string-append program " " word))
+
+(define (leave code text)
+  (eprintf "raytrace: ~a\n" (one-line text))
+  (exit code))
+
+(define (report failure)
+  (leave 1 (if (exn? failure) (exn-message failure) (format "raised ~s" failure))))
+
+(with-handlers* ([exn:break:terminate? (lambda (e) (leave 143 "terminated"))]
+                 [exn:break? (lambda (e) (leave 130 "interrupted"))]
+                 [(lambda (e) #t) report])
+  (run (vector->list (current-command-line-arguments)))
+  (flush-output))
+
+;; Without this, raco test would run the command.
+(module test racket/base)

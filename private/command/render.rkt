@@ -1,0 +1,52 @@
+#lang racket/base
+;; Rendering a scene to a picture file: what can be wrong is checked before the first ray.
+(require "values.rkt" "scenes.rkt" "load.rkt" "progress.rkt" "report.rkt"
+         "../integrate/integrators.rkt" "../render/render.rkt" "../image/image.rkt"
+         "../image/write.rkt")
+
+(provide render-scene)
+
+;; render-scene : renders the scene that word names and writes the picture. options: a hash as
+;; parse-render-flags makes it. Raises exn:fail:user on bad input; then there is no output file.
+(define (render-scene options word)
+  (define path (find-scene word))
+  (define output (hash-ref options 'output (lambda () (string-append (scene-name path) ".ppm"))))
+  (define json (hash-ref options 'stats-json #f))
+  (check-output-path output)
+  (when json (check-json-path json output))
+  (define-values (world camera settings) (load-scene word path))
+  (define (option key default)
+    (hash-ref options key (lambda () (hash-ref settings key default))))
+  (define (named-option key default names)
+    (define what
+      (if (hash-has-key? options key) (format "--~a" key) (format "~a: settings, '~a" word key)))
+    (check-name what (option key default) names))
+  (define size (option 'size '(640 360)))
+  (define samples (option 'samples 16))
+  (define seed (option 'seed 0))
+  (define crop (check-crop "--crop" (option 'crop #f) size))
+  (define integrator (named-option 'integrator 'auto INTEGRATORS))
+  (define schedule (named-option 'schedule 'futures SCHEDULES))
+  (define workers (option 'workers (default-worker-count)))
+  (define quiet? (option 'quiet #f))
+  (define-values (image statistics)
+    (call-with-progress
+     (and (not quiet?) (terminal-port? (current-error-port)))
+     (lambda (watch)
+       (with-handlers ([exn:fail? (lambda (e) (raise-user-error
+                                               (format "~a: ~a" word (exn-message e))))])
+         (parameterize ([current-output-port (current-error-port)])
+           (render/statistics world camera #:width (car size) #:height (cadr size)
+                              #:samples samples #:seed seed #:crop crop #:integrator integrator
+                              #:schedule schedule #:workers workers #:tile (option 'tile 16)
+                              #:watch watch))))))
+  (Image-write image output)
+  (define report
+    (render-report (hasheq 'scene word 'file output
+                           'width (Image-width image) 'height (Image-height image)
+                           'seed seed 'integrator integrator
+                           'schedule schedule 'workers workers)
+                   statistics))
+  (unless quiet? (report-line report))
+  (when (option 'stats #f) (report-table report))
+  (when json (report-json report json)))

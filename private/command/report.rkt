@@ -1,0 +1,105 @@
+#lang racket/base
+;; What is told about a render that is done: a line, a table, and JSON.
+(require racket/lazy-require "../render/statistics.rkt" "../image/write.rkt" "../image/source.rkt")
+
+(lazy-require [json (write-json)]
+              [racket/file (call-with-atomic-output-file)])
+
+(provide render-report report-line report-table report-json check-json-path)
+
+;; about: what the statistics do not know. rows: (list key label value) with number values, or #f
+;; for what is unknown.
+(struct report (about rows))
+
+;; render-report : about: a hasheq with at least 'file, 'width and 'height.
+(define (render-report about statistics)
+  (define rays (+ (Statistics-nearest-rays statistics) (Statistics-occlusion-rays statistics)))
+  (define seconds (Statistics-seconds statistics))
+  (report
+   about
+   (list
+    (list 'pixels "pixels" (Statistics-pixels statistics))
+    (list 'samples "samples per pixel" (Statistics-samples statistics))
+    (list 'nearestRays "nearest-hit rays" (Statistics-nearest-rays statistics))
+    (list 'occlusionRays "occlusion rays" (Statistics-occlusion-rays statistics))
+    (list 'raysPerPixel "rays per pixel"
+          (exact->inexact (/ rays (Statistics-pixels statistics))))
+    (list 'millionRaysPerSecond "million rays per second"
+          (and (positive? seconds) (/ rays seconds 1e6)))
+    (list 'buildSeconds "build seconds" (Statistics-build-seconds statistics))
+    (list 'seconds "seconds" seconds)
+    (list 'processorSeconds "processor seconds" (Statistics-processor-seconds statistics))
+    (list 'rejectedSamples "rejected samples" (Statistics-rejected-samples statistics))
+    (list 'peakMebibytes "peak memory, MiB" (peak-mebibytes)))))
+
+(define (report-value report key)
+  (caddr (assq key (report-rows report))))
+
+;; One line on standard error.
+(define (report-line report)
+  (define about (report-about report))
+  (define rejected (report-value report 'rejectedSamples))
+  (eprintf "~a: ~ax~a, ~a a pixel, ~a s~a\n"
+           (hash-ref about 'file) (hash-ref about 'width) (hash-ref about 'height)
+           (count-text (report-value report 'samples) "sample")
+           (number-text (+ (report-value report 'buildSeconds) (report-value report 'seconds)))
+           (if (zero? rejected)
+               ""
+               (format ", ~a rejected: no finite colour" (count-text rejected "sample")))))
+
+(define (count-text count noun)
+  (format "~a ~a~a" count noun (if (= count 1) "" "s")))
+
+;; A table on standard error.
+(define (report-table report)
+  (define rows
+    (for/list ([row (in-list (report-rows report))])
+      (cons (cadr row) (number-text (caddr row)))))
+  (define (widest part) (apply max (map (lambda (row) (string-length (part row))) rows)))
+  (define (spaces count) (make-string count #\space))
+  (for ([row (in-list rows)])
+    (eprintf "~a~a  ~a~a\n"
+             (car row) (spaces (- (widest car) (string-length (car row))))
+             (spaces (- (widest cdr) (string-length (cdr row)))) (cdr row))))
+
+(define (number-text number)
+  (cond [(not number) "unknown"]
+        [(exact-integer? number) (number->string number)]
+        [else (real->decimal-string number 2)]))
+
+;; ----------------------------------------------------------------------------------------------
+
+;; report-json : writes the report to a file, whole or not at all, or to standard output for "-".
+(define (report-json report path)
+  (define object
+    (for/fold ([object (for/hasheq ([(key value) (in-hash (report-about report))])
+                         (values key (if (symbol? value) (symbol->string value) value)))])
+              ([row (in-list (report-rows report))])
+      (hash-set object (car row) (or (caddr row) 'null))))
+  (define (write-to out)
+    (write-json object out #:null 'null)
+    (newline out))
+  (with-handlers ([exn:fail? (lambda (e) (unwritable path (error-reason e)))])
+    (if (equal? path "-")
+        (write-to (current-output-port))
+        (call-with-atomic-output-file path (lambda (out temporary) (write-to out))))))
+
+;; check-json-path : raises exn:fail:user where report-json could not write; output is where the
+;; picture goes.
+(define (check-json-path path output)
+  (cond
+    [(not (equal? path "-")) (check-output-path path #:format 'ppm)]
+    [(equal? output "-")
+     (raise-user-error "--stats-json -: expected a file, standard output takes the picture")]))
+
+(define (unwritable path why)
+  (raise-user-error (format "~a: cannot be written (~a)" path why)))
+
+;; The most memory this process has held, or #f where the system does not tell.
+(define (peak-mebibytes)
+  (define status "/proc/self/status")
+  (define match
+    (and (file-exists? status)
+         (call-with-input-file status
+           (lambda (in) (regexp-match #px#"VmHWM:\\s*([0-9]+) kB" in)))))
+  (and match (quotient (string->number (bytes->string/latin-1 (cadr match))) 1024)))

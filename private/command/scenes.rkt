@@ -1,0 +1,38 @@
+#lang racket/base
+;; Where scenes are: the package's own by name, all others by path.
+(provide find-scene package-scenes scene-name)
+
+(define scenes-folder
+  (let-values ([(folder name must-be-folder?)
+                (split-path (variable-reference->module-source (#%variable-reference)))])
+    (simplify-path (build-path folder 'up 'up "scenes"))))
+
+;; package-scenes : the paths of the package's scenes, sorted.
+(define (package-scenes)
+  (if (directory-exists? scenes-folder)
+      (for/list ([file (in-list (directory-list scenes-folder #:build? #t))]
+                 #:when (regexp-match? #rx"[.]rkt$" (path->bytes file)))
+        file)
+      '()))
+
+;; scene-name : a scene's path without folder and extension, as a string.
+(define (scene-name path)
+  (define-values (folder name must-be-folder?) (split-path path))
+  (path->string (path-replace-extension name #"")))
+
+;; find-scene : the complete path of the scene's file: the word is a path to a .rkt file, or the
+;; name of one of the package's scenes. Raises exn:fail:user where there is none.
+(define (find-scene word)
+  (define path
+    (and (path-string? word)
+         (if (regexp-match? #px"^[\\w-]+$" word)
+             (build-path scenes-folder (string-append word ".rkt"))
+             (path->complete-path word))))
+  (cond
+    [(and path (file-exists? path)) (simplify-path path)]
+    [else
+     (raise-user-error
+      (format "~a: expected a scene, a .rkt file or one of ~a, found ~a" word
+              (for/fold ([names "the package's"]) ([scene (in-list (package-scenes))])
+                (format "~a ~a" names (scene-name scene)))
+              (if (and path (directory-exists? path)) "a folder" "no such file")))]))

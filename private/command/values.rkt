@@ -1,0 +1,72 @@
+#lang racket/base
+;; What may be asked of a render, by a flag or by a scene's settings: each check returns the value
+;; or raises one line that says what it was for, what was given and what is expected.
+(provide check-size check-samples check-seed check-workers check-tile check-crop check-name
+         unexpected text->natural text->naturals)
+
+(define LONGEST-SIDE 100000)
+(define MOST-PIXELS (expt 2 28))
+
+;; unexpected : raises the line.
+(define (unexpected what given expected)
+  (raise-user-error (format "~a ~a: expected ~a" what given expected)))
+
+;; given: how the value was written, for the line.
+(define (check-size what given size)
+  (unless (and (list? size) (= (length size) 2)
+               (in-range? (car size) 1 LONGEST-SIDE) (in-range? (cadr size) 1 LONGEST-SIDE))
+    (unexpected what given
+                (format "WIDTHxHEIGHT, two whole numbers from 1 to ~a" LONGEST-SIDE)))
+  size)
+
+(define ((check-count low high) what given count)
+  (unless (in-range? count low high)
+    (unexpected what given (format "a whole number from ~a to ~a" low high)))
+  count)
+
+(define check-samples (check-count 1 1000000000))
+(define check-seed (check-count 0 #xFFFFFFFF))
+(define check-workers (check-count 1 1024))
+(define check-tile (check-count 1 LONGEST-SIDE))
+
+;; check-crop : (list x y width height) from text like "0,0,16,16", a part of the size, or #f for all
+;; of it where text is #f. What is to be rendered must fit into memory.
+(define (check-crop what text size)
+  (define width (car size))
+  (define height (cadr size))
+  (define crop (and text (text->naturals text #rx",")))
+  (when crop
+    (unless (and (= (length crop) 4) (andmap values crop)
+                 (in-range? (caddr crop) 1 (- width (car crop)))
+                 (in-range? (cadddr crop) 1 (- height (cadr crop))))
+      (unexpected what text (format "X,Y,WIDTH,HEIGHT, four whole numbers that tell a part of ~ax~a"
+                                    width height))))
+  (define-values (columns rows)
+    (if crop (values (caddr crop) (cadddr crop)) (values width height)))
+  (when (> (* columns rows) MOST-PIXELS)
+    (unexpected "size" (format "~ax~a" columns rows)
+                (format "at most ~a pixels; --crop renders a part" MOST-PIXELS)))
+  crop)
+
+;; name: a symbol that must be among names.
+(define (check-name what name names)
+  (unless (memq name names)
+    (unexpected what name (format "one of ~a" (names->text names))))
+  name)
+
+(define (names->text names)
+  (apply string-append (symbol->string (car names))
+         (for/list ([name (in-list (cdr names))]) (format ", ~a" name))))
+
+(define (in-range? value low high)
+  (and (exact-integer? value) (<= low value high)))
+
+;; ----------------------------------------------------------------------------------------------
+
+;; text->natural : the whole number that the digits stand for, or #f.
+(define (text->natural text)
+  (and (regexp-match? #px"^[0-9]{1,18}$" text) (string->number text 10)))
+
+;; text->naturals : the list of what stands between the separators, #f for what is no number.
+(define (text->naturals text separator)
+  (map text->natural (regexp-split separator text)))
