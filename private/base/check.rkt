@@ -3,7 +3,7 @@
 ;; argument and what was expected.
 (require racket/flonum "fuse.rkt")
 
-(provide check-finite check-positive check-between check-point check-direction check-color
+(provide check-albedo check-finite check-positive check-between check-point check-direction check-color
          check-count check-positive-or-infinite raise-expected)
 
 ;; Raises exn:fail:contract: "who: expected <expected> as <argument>, given <value>".
@@ -66,3 +66,10 @@
 (define (check-positive-or-infinite who argument value)
   (define x (real->double-flonum value))
   (if (fl> x 0.0) x (raise-expected who argument "a positive number, perhaps infinite" value)))
+
+(: check-albedo (-> Symbol String Float3 Float3))
+(define (check-albedo who argument value)
+  (check-color who argument value)
+  (if (and (fl<= (Float3-x value) 1.0) (fl<= (Float3-y value) 1.0) (fl<= (Float3-z value) 1.0))
+      value
+      (raise-expected who argument "a colour with components from 0 to 1" value)))

@@ -53,6 +53,8 @@
   ;; the nearest hit: index of the primitive in the world (-1 for none), its material, and the
   ;; path through meshes, groups and instances below it
   [hit-primitive 1] [hit-material 1] [hit-path 8]
+  ;; 1 where the surface was met from inside: its normals were turned to the side of the ray
+  [surface-inside 1]
   ;; a primitive that any-hit passes over (the light a shadow ray is aimed at), or -1
   [ignored-primitive 1]
   ;; 1 where a hit at exactly ray-limit should replace the known one, else 0
@@ -66,8 +68,8 @@
   [nearest-rays 1] [occlusion-rays 1] [rejected-samples 1]
   ;; places of primitives gathered around a point, and how many; -1 when there were too many
   [gathered-count 1] [gathered 32]
-  ;; the path: bounces so far, flags of the last scattering
-  [path-depth 1] [scatter-flags 1] [fixnum-workspace 8]
+  ;; the path: bounces so far
+  [path-depth 1] [fixnum-workspace 8]
   [stack 1024])
 
 ;; A worker's scratch: nothing in it outlives the pixel it is used for but the counters.

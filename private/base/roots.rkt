@@ -4,7 +4,7 @@
 (require "unsafe.rkt")
 
 (provide quadratic-roots depressed-quartic-roots
-         difference-of-products let-quadratic-roots let-roots-of-discriminant let-slab
+         let-quadratic-roots let-roots-of-discriminant let-slab
          find-sign-change)
 
 ;; a b - c d to within two units in the last place, as long as no product leaves the range
@@ -102,7 +102,7 @@
                      [good? (and (fl>= newton low*) (fl<= newton up*)
                                  (or (fl= last-step 0.0)
                                      (fl<= (flabs newton-step) (fl* 0.5 (flabs last-step)))))]
-                     [next (if good? newton (fl* 0.5 (fl+ low* up*)))]
+                     [next (if (fl= value 0.0) t (if good? newton (fl* 0.5 (fl+ low* up*))))]
                      [step (fl- next t)])
                 (if (improvable? step last-step root-tolerance)
                     (refining low* up* next (if good? step 0.0))
@@ -137,11 +137,13 @@
          (refine 5 high high-value start)]
         [else none]))))
 
-;; Whether a Newton step still leaves an error above the tolerance: the error after a step is to the
-;; step as its square is to the square of the last; last-step is 0 where none came before.
+;; Whether a Newton step may leave an error above the tolerance. The error after a step is to the
+;; step as its square is to the square of the last (0 where none came before), up to a factor that
+;; varies slowly; 2^10 is allowed for it.
 (define-syntax-rule (improvable? step last-step tolerance)
   (and (fl> (flabs step) tolerance)
-       (fl> (fl* (flabs step) (fl* step step)) (fl* tolerance (fl* last-step last-step)))))
+       (fl> (fl* 1024.0 (fl* (flabs step) (fl* step step)))
+            (fl* tolerance (fl* last-step last-step)))))
 
 ;; The root between start and end, where the values differ in sign, of the parabola through both
 ;; that turns at `turning`, one of them.
@@ -160,15 +162,15 @@
 (define-syntax-rule (EXTREME-TOLERANCE) 2.3283064365386963e-10) ; 2^-32
 (define-syntax-rule (ROUNDING) 1.1102230246251565e-16) ; 2^-53
 
-;; The finite real roots of a t^2 + b t + c in ascending order, a double root twice: '(), one where
-;; a = 0, or two; '() where a = b = 0. Coefficients: any finite numbers; they are scaled by powers
-;; of two so that nothing overflows unless a root does. Within 8 ulp where b^2 and 4 a c differ by
-;; more than a part in 1e12.
+;; The real roots of a t^2 + b t + c in ascending order, a double root twice: '(), one where a = 0,
+;; or two; '() where a = b = 0. Coefficients: any finite numbers; they are scaled by powers of two,
+;; so nothing overflows but a root that is itself beyond the range of doubles, which is left out.
+;; Within 8 ulp where b^2 and 4 a c differ by more than a part in 1e12.
 (: quadratic-roots (-> Flonum Flonum Flonum (Listof Flonum)))
 (define (quadratic-roots a b c)
   (cond
-    [(fl= a 0.0) (if (fl= b 0.0) '() (list (fl* -1.0 (fl/ c b))))]
-    [(fl= c 0.0) (ascending 0.0 (fl* -1.0 (fl/ b a)))]
+    [(fl= a 0.0) (if (fl= b 0.0) '() (finite (list (ratio c b))))]
+    [(fl= c 0.0) (ascending 0.0 (ratio b a))]
     [else
      ;; t = 2^k u makes the outer coefficients alike, another factor brings all near 1
      (define k (flfloor (fl* 0.5 (fl- (exponent c) (exponent a)))))
@@ -177,18 +179,25 @@
      (cond
        ;; a c is nothing beside b^2
        [(fl> (fl- middle outer) 100.0)
-        (ascending (fl* -1.0 (fl/ b a)) (fl* -1.0 (fl/ c b)))]
+        (ascending (ratio b a) (ratio c b))]
        [else
         (define unit (fl* -1.0 (flmax outer middle)))
         (define a* (shifted a (fl+ unit (fl* 2.0 k))))
         (define half-b* (fl* 0.5 (shifted b (fl+ unit k))))
         (define c* (shifted c unit))
         (let-quadratic-roots (low high) (a* half-b* c*)
-          (list (shifted low k) (shifted high k))
+          (finite (list (shifted low k) (shifted high k)))
           '())])]))
 
 (: ascending (-> Flonum Flonum (Listof Flonum)))
-(define (ascending x y) (if (fl<= x y) (list x y) (list y x)))
+(define (ascending x y) (finite (if (fl<= x y) (list x y) (list y x))))
+
+(: finite (-> (Listof Flonum) (Listof Flonum)))
+(define (finite roots) (filter (lambda ([t : Flonum]) (fl< (flabs t) +inf.0)) roots))
+
+;; - x / y, and 0.0 for both zeros.
+(: ratio (-> Flonum Flonum Flonum))
+(define (ratio x y) (fl+ 0.0 (fl* -1.0 (fl/ x y))))
 
 ;; floor(log2 |x|), give or take one.
 (: exponent (-> Flonum Flonum))

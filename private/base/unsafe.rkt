@@ -1,7 +1,7 @@
 #lang typed/racket/base
 ;; The one file with unsafe operations: kernels take flvector, fxvector and fixnum operations from here.
 ;; Set `safe?` to #t and recompile to get every bounds and type check back.
-(require (for-syntax racket/base) racket/flonum racket/fixnum typed/racket/unsafe
+(require (for-syntax racket/base) racket/flonum racket/fixnum "unsafe-typed.rkt"
          (only-in racket/unsafe/ops unsafe-fxior unsafe-fxlshift))
 
 (define-syntax (define-checked-or-unsafe stx)

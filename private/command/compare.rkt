@@ -36,7 +36,9 @@
 ;; Six significant digits.
 (define (number-text x)
   (cond
-    [(or (= x 0.0) (not (< (abs x) +inf.0))) (number->string x)]
+    [(= x 0.0) "0"]
+    [(= (abs x) +inf.0) "infinite"]
+    [(not (= x x)) "no number"]
     [else
      (define exponent (- 5 (inexact->exact (floor (/ (log (abs x)) (log 10.0))))))
      (define unit (expt 10 exponent))

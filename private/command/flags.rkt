@@ -73,8 +73,7 @@
                         (lambda (help) (display help) (exit 0))
                         (lambda (flag)
                           (raise-user-error
-                           (format "~a: expected one of the flags that ~a --help tells"
-                                   flag program))))))
+                           (format "~a: expected one of the flags that --help tells" flag))))))
 
 (define (without-prefix prefix text)
   (if (and (> (string-length text) (string-length prefix))
@@ -96,6 +95,8 @@
       [(string=? (car words) "--") (done (append (reverse others) (cdr words)))]
       [(not (regexp-match? #rx"^-." (car words)))
        (sort (cdr words) flags (cons (car words) others))]
-      [(and (member (car words) with-argument) (pair? (cdr words)))
+      [(member (car words) with-argument)
+       (when (null? (cdr words))
+         (raise-user-error (format "~a: expected a value after it, found none" (car words))))
        (sort (cddr words) (list* (cadr words) (car words) flags) others)]
       [else (sort (cdr words) (cons (car words) flags) others)])))

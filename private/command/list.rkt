@@ -5,7 +5,8 @@
 (provide list-scenes)
 
 (define (list-scenes program words)
-  (parse-words program words '((usage-help "Tells the scenes of this package.")) '() (lambda (flags) #t))
+  (parse-words program words '((usage-help "Tells the scenes of this package.")) '()
+               (lambda (no-flags) (void)))
   (define rows
     (for/list ([path (in-list (package-scenes))]) (cons (scene-name path) (scene-header path))))
   (define widest (apply max 0 (map (lambda (row) (string-length (car row))) rows)))

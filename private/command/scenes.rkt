@@ -32,7 +32,7 @@
     [(and path (file-exists? path)) (simplify-path path)]
     [else
      (raise-user-error
-      (format "~a: expected a scene, a .rkt file or one of ~a, found ~a" word
-              (for/fold ([names "the package's"]) ([scene (in-list (package-scenes))])
-                (format "~a ~a" names (scene-name scene)))
+      (format "~a: expected a scene (a .rkt file, or one of the package's:~a), found ~a" word
+              (apply string-append (map (lambda (scene) (string-append " " (scene-name scene)))
+                                        (package-scenes)))
               (if (and path (directory-exists? path)) "a folder" "no such file")))]))

@@ -2,7 +2,7 @@
 ;; A picture: linear RGB flonums and, where known, their standard error. It prints short and shows
 ;; itself as a picture wherever values are asked for one (DrRacket, racket-mode, Scribble).
 (provide (struct-out Image) make-Image Image-pixel)
-(require racket/flonum (only-in file/convertible prop:convertible) "unsafe-typed.rkt")
+(require racket/flonum (only-in file/convertible prop:convertible) "../base/unsafe-typed.rkt")
 
 (unsafe-require/typed "convert.rkt"
   [image-png-bytes (-> Positive-Fixnum Positive-Fixnum FlVector Positive-Fixnum Bytes)])

@@ -9,9 +9,11 @@
 ;; Image-write-ppm : writes the image to an output port as P6, 8 bits, sRGB-encoded, top row first.
 (define (Image-write-ppm image out)
   (define pixels (Image-pixels image))
-  (define count (flvector-length pixels))
+  (define width (Image-width image))
+  (define height (Image-height image))
+  (define count (* 3 width height))
   (define buffer (make-bytes (min CHUNK count)))
-  (write-string (format "P6\n~a ~a\n255\n" (Image-width image) (Image-height image)) out)
+  (write-string (format "P6\n~a ~a\n255\n" width height) out)
   (for ([start (in-range 0 count CHUNK)])
     (define size (min CHUNK (- count start)))
     (linear->sRGB-bytes! buffer 0 pixels start size)

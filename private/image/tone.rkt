@@ -6,7 +6,7 @@
 (require racket/flonum racket/fixnum)
 
 ;; sRGB-encode : the display value of a linear one; 0 and 1 stay. Below 0 the linear segment goes
-;; on, above 1 the power law. Relative error within 1e-14 of the exact formula on [0, 1].
+;; on, above 1 the power law. Relative error below 1e-12 on [0, 1].
 (: sRGB-encode (-> Real Flonum))
 (define (sRGB-encode linear)
   (define x (real->double-flonum linear))

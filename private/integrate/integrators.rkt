@@ -1,21 +1,34 @@
 #lang typed/racket/base
 ;; Integrators by name: what a ray's colour means.
-(require "../base/check.rkt" "../world/world.rkt" "seed.rkt" "views.rkt")
+(require "../base/check.rkt" "../world/world.rkt" "../material/material.rkt" "../material/phong.rkt" "../material/emitter.rkt"
+         "../world/scene.rkt" "seed.rkt" "path.rkt" "views.rkt")
 
-(provide Integrator INTEGRATORS World-integrator)
+(provide Integrator INTEGRATORS check-integrator World-integrator)
 
 ;; Takes the ray in a worker's scratch and leaves its colour in `radiance`.
 (define-type Integrator (-> FlVector FxVector Void))
 
-(define INTEGRATORS : (Listof Symbol) '(auto seed ambient-occlusion normals depth))
+(define INTEGRATORS : (Listof Symbol) '(auto path seed ambient-occlusion normals depth))
 
-;; The named integrator for a world; 'auto is the one that suits its materials and lights.
-(: World-integrator (-> World Symbol Integrator))
-(define (World-integrator world name)
+;; Raises where there is no integrator of that name.
+(: check-integrator (-> Symbol Void))
+(define (check-integrator name)
+  (unless (memq name INTEGRATORS)
+    (raise-expected 'render "integrator" (format "one of ~a" INTEGRATORS) name)))
+
+;; The named integrator for a world. 'auto is the article's shading where every surface is the
+;; article's, else the path integrator. max-depth: bounces of a path, #f for no limit.
+(: World-integrator (->* (World Symbol) ((U #f Fixnum)) Integrator))
+(define (World-integrator world name [max-depth #f])
   (define scene (World-scene world))
   (define shading (World-shading world))
   (case name
-    [(auto seed) (seed-integrator scene shading)]
+    [(auto) (if (for/and : Boolean ([material (in-vector (Scene-materials scene))])
+                  (or (Phong? material) (Emitter? material)))
+                (seed-integrator scene shading)
+                (path-integrator scene (PathLimits max-depth)))]
+    [(seed) (seed-integrator scene shading)]
+    [(path) (path-integrator scene (PathLimits max-depth))]
     [(ambient-occlusion) (ambient-occlusion-view scene shading)]
     [(normals) (normals-view scene)]
     [(depth) (depth-view scene)]

@@ -5,9 +5,10 @@
 ;; of the highlight, larger is smaller and sharper. reflectivity: the part of the light that is
 ;; reflected as by a mirror, a number or a colour from 0 to 1; what it takes, the rest lacks.
 (require (for-syntax racket/base)
-         "../base/float3.rkt" "../base/check.rkt" "../base/public.rkt" "material.rkt")
+         "../base/unsafe.rkt" "../base/float3.rkt" "../base/check.rkt" "../base/public.rkt"
+         "../sample/warp.rkt" "material.rkt" "kernel.rkt" "phong-lobes.rkt")
 
-(provide (struct-out Phong) make-Phong WORLD-SHAPE-SPECULARITY WORLD-SHAPE-SHININESS)
+(provide (struct-out Phong) make-Phong Phong-kernel WORLD-SHAPE-SPECULARITY WORLD-SHAPE-SHININESS)
 
 (struct Phong Material
   ([color : Float3] [specularity : Flonum] [shininess : Flonum] [reflectivity : Float3])
@@ -39,3 +40,15 @@
          mirror))
 
 (define-constructor Phong make-Phong (color specularity shininess reflectivity))
+
+;; The same surface for the path integrator: all that the article's shading adds up for one light,
+;; divided by pi, so that a colour is an albedo, and lights pi times as bright give the article's
+;; picture of direct light. The highlight is, as published, not foreshortened, which is neither
+;; reciprocal nor energy-conserving: color + 2 specularity / (shininess + 1) should stay below 1.
+(: Phong-kernel (-> Phong MaterialKernel))
+(define (Phong-kernel material)
+  (define mirror (Phong-reflectivity material))
+  (define rest (Float3-subtract (make-Float3 1 1 1) mirror))
+  (phong-lobes-kernel (Float3-scale-by-vector rest (Phong-color material))
+                      (Float3-scale-by-scalar rest (fl* (INVERSE-PI) (Phong-specularity material)))
+                      (Phong-shininess material) #f mirror))

@@ -8,7 +8,8 @@
 ;; How a picture is cut: its width and height, the tile's side, and the part that is rendered as
 ;; x, y, width, height. Tiles are numbered by rows; their order changes no pixel.
 (struct Tiling ([width : Fixnum] [height : Fixnum] [tile : Fixnum]
-                [crop : (List Fixnum Fixnum Fixnum Fixnum)]))
+                [crop : (List Fixnum Fixnum Fixnum Fixnum)])
+  #:transparent)
 
 (define-syntax-rule (ceiling-quotient a b) (fxquotient (fx+ a (fx- b 1)) b))
 

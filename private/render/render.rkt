@@ -1,24 +1,26 @@
 #lang typed/racket/base
 ;; Rendering: a World seen by a Camera becomes an Image, by whatever schedule is asked for.
-(require typed/racket/unsafe
+(require "../base/unsafe-typed.rkt"
          "../base/unsafe.rkt" "../base/check.rkt" "../base/registers.rkt"
          "../world/world.rkt" "../world/camera.rkt" "../image/image.rkt"
-         "../integrate/integrators.rkt" "pixel.rkt" "statistics.rkt")
+         "../integrate/integrators.rkt" "pixel.rkt" "job.rkt" "statistics.rkt")
 
 (provide render render/statistics SCHEDULES default-worker-count)
 
 (define-type TileCounter Any)
+(define-type Schedule (-> Job FlVector Fixnum TileCounter (Listof FxVector)))
 (unsafe-require/typed "schedule/tiles.rkt"
   [make-tile-counter (-> Fixnum TileCounter)]
-  [tiles-done (-> TileCounter Fixnum)])
-(unsafe-require/typed "schedule/sequential.rkt"
-  [run-sequential (-> (Listof (-> Fixnum Void)) TileCounter Void)])
-(unsafe-require/typed "schedule/futures.rkt"
-  [run-futures (-> (Listof (-> Fixnum Void)) TileCounter Void)])
+  [tiles-taken (-> TileCounter Fixnum)])
+(unsafe-require/typed "schedule/sequential.rkt" [run-sequential Schedule])
+(unsafe-require/typed "schedule/futures.rkt" [run-futures Schedule])
+(unsafe-require/typed "schedule/lazy.rkt" [run-places Schedule])
 (unsafe-require/typed racket/future
   [processor-count (-> Positive-Fixnum)])
+(unsafe-require/typed racket/flonum
+  [make-shared-flvector (-> Fixnum FlVector)])
 
-(define SCHEDULES : (Listof Symbol) '(sequential futures))
+(define SCHEDULES : (Listof Symbol) '(sequential futures places))
 
 ;; As many workers as the machine has processors.
 (: default-worker-count (-> Positive-Fixnum))
@@ -27,19 +29,19 @@
 ;; render : the picture of a world through a camera. #:width and #:height in pixels. #:samples
 ;; camera rays a pixel. #:integrator one of INTEGRATORS. #:seed any whole number of 32 bits; the
 ;; same seed gives the same picture, to the bit, whatever the schedule, workers and tile.
-;; #:schedule 'futures or 'sequential. #:crop (list x y width height) renders only that part.
+;; #:max-depth bounces of a path, #f for no limit. #:schedule one of SCHEDULES. #:crop (list x y width height) renders only that part.
 ;; Raises exn:fail:contract on sizes and counts out of range.
 (: render (->* (World Camera)
                (#:width Integer #:height Integer #:samples Integer #:seed Integer
-                #:integrator Symbol #:schedule Symbol #:workers Integer #:tile Integer
+                #:integrator Symbol #:max-depth (U #f Integer) #:schedule Symbol #:workers Integer #:tile Integer
                 #:crop (U #f (List Integer Integer Integer Integer)))
                Image))
 (define (render world camera #:width [width 640] #:height [height 360] #:samples [samples 16]
-                #:seed [seed 0] #:integrator [integrator 'auto] #:schedule [schedule 'futures]
-                #:workers [workers (default-worker-count)] #:tile [tile 16] #:crop [crop #f])
+                #:seed [seed 0] #:integrator [integrator 'auto] #:max-depth [max-depth #f]
+                #:schedule [schedule 'futures] #:workers [workers (default-worker-count)] #:tile [tile 16] #:crop [crop #f])
   (define-values (image statistics)
     (render/statistics world camera #:width width #:height height #:samples samples #:seed seed
-                       #:integrator integrator #:schedule schedule #:workers workers #:tile tile
+                       #:integrator integrator #:max-depth max-depth #:schedule schedule #:workers workers #:tile tile
                        #:crop crop))
   image)
 
@@ -48,13 +50,13 @@
 (: render/statistics
    (->* (World Camera)
         (#:width Integer #:height Integer #:samples Integer #:seed Integer
-         #:integrator Symbol #:schedule Symbol #:workers Integer #:tile Integer
+         #:integrator Symbol #:max-depth (U #f Integer) #:schedule Symbol #:workers Integer #:tile Integer
          #:crop (U #f (List Integer Integer Integer Integer))
          #:watch (-> (-> Real) (-> Void)))
         (Values Image Statistics)))
 (define (render/statistics world camera #:width [width 640] #:height [height 360]
                            #:samples [samples 16] #:seed [seed 0] #:integrator [integrator 'auto]
-                           #:schedule [schedule 'futures]
+                           #:max-depth [max-depth #f] #:schedule [schedule 'futures]
                            #:workers [workers (default-worker-count)] #:tile [tile 16]
                            #:crop [crop #f] #:watch [watch (lambda (done) void)])
   (define columns (check-count 'render "width" width 1 100000))
@@ -66,24 +68,27 @@
   (define area : (List Fixnum Fixnum Fixnum Fixnum)
     (if crop (check-crop crop columns rows) (list 0 0 columns rows)))
   (define tiling (Tiling columns rows tile-side area))
+  (define job (Job world camera tiling sample-count seed32 integrator
+                   (and max-depth (check-count 'render "max-depth" max-depth 0 1000000000))))
+  (define run
+    (case schedule
+      [(sequential) run-sequential]
+      [(futures) run-futures]
+      [(places) run-places]
+      [else (raise-expected 'render "schedule" (format "one of ~a" SCHEDULES) schedule)]))
+  (check-integrator integrator)
   (define start (current-inexact-milliseconds))
-  (define integrate (World-integrator world integrator))
+  (unless (eq? schedule 'places) (World-scene world))
   (define built (current-inexact-milliseconds))
   (define processor-start (current-process-milliseconds))
-  (define camera-kernel
-    (Camera-kernel (Camera-fitted camera (/ columns rows)) columns rows))
-  (define film (make-flvector (fx* 3 (fx* (caddr area) (cadddr area))) 0.0))
-  (define-values (workers* counts)
-    (for/lists ([workers* : (Listof (-> Fixnum Void))] [counts : (Listof FxVector)])
-               ([k (in-range (if (eq? schedule 'sequential) 1 worker-count))])
-      (make-tile-worker tiling sample-count seed32 camera-kernel integrate film)))
-  (define counter (make-tile-counter (tile-count tiling)))
+  (define film
+    (if (eq? schedule 'places)
+        (make-shared-flvector (Job-film-size job))
+        (make-flvector (Job-film-size job) 0.0)))
+  (define counter (make-tile-counter (Job-tile-count job)))
   (define finish
-    (watch (lambda () (/ (tiles-done counter) (max 1 (tile-count tiling))))))
-  (case schedule
-    [(sequential) (run-sequential workers* counter)]
-    [(futures) (run-futures workers* counter)]
-    [else (raise-expected 'render "schedule" (format "one of ~a" SCHEDULES) schedule)])
+    (watch (lambda () (/ (tiles-taken counter) (Job-tile-count job)))))
+  (define counts (run job film worker-count counter))
   (finish)
   (: total (-> Fixnum Fixnum))
   (define (total place)

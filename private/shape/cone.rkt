@@ -41,21 +41,18 @@
   (define spread (fl/ radius height))
   (define sine (fl/ radius slant))
   (define cosine (fl/ height slant))
-  (define far-squared (fl* 16.0 (fl* slant slant)))
+  (define far-squared (fl* 2.0 (fl* slant slant)))
   (define error-bound
     (fl* (fl* 16.0 (ROUNDING)) (fl+ (fl+ radius height) (Float3-largest-magnitude apex))))
 
-  ;; From far away the ray first moves to its point nearest to the apex, where the coefficients
-  ;; keep their digits. The discriminant b^2 - a c is, multiplied out, the difference of two
+  ;; From outside the ball around the cone the ray first moves to its point nearest to the apex,
+  ;; where the coefficients keep their digits. The discriminant b^2 - a c is, multiplied out, the difference of two
   ;; squares: spread^2 |dz o - oz d|^2 - (ox dy - oy dx)^2.
   (: nearest (-> FlVector FxVector Boolean))
   (define (nearest r i)
     (let-float3 ([d (Float3-in r ray-direction)]
                  [start (Float3-subtract (Float3-in r ray-origin) (Float3-in frame 0))])
-      (let* ([far? (fl> (Float3-length-squared start) far-squared)]
-             [shift (if far?
-                        (fl* -1.0 (fl/ (Float3-dot start d) (Float3-length-squared d)))
-                        0.0)])
+      (let* ([shift (axial-shift start d far-squared)])
         (let-float3 ([o (Float3-multiply-add start shift d)])
           (let* ([dx (local-x frame d)] [dy (local-y frame d)] [dz (local-z frame d)]
                  [ox (local-x frame o)] [oy (local-y frame o)] [oz (local-z frame o)]
@@ -77,11 +74,10 @@
                       [signed-a (if steep? (fl* -1.0 (flabs a)) a)])
                  (let-roots-of-discriminant (low high) (signed-a b c (flmax 0.0 discriminant))
                    ;; inside one nappe: between the roots, or beyond one of them
-                   (let* ([from (fl+ shift (if steep? (if (fl> dz 0.0) high -inf.0) low))]
-                          [to (fl+ shift (if steep? (if (fl> dz 0.0) +inf.0 low) high))]
-                          [enter (fl+ shift enter)]
-                          [leave (fl+ shift leave)])
-                     (put-axial-hit! r i caps? (from to) (enter leave) (BASE-CAP) (BASE-CAP)))))
+                   (let* ([from (if steep? (if (fl> dz 0.0) high -inf.0) low)]
+                          [to (if steep? (if (fl> dz 0.0) +inf.0 low) high)])
+                     (put-axial-hit! r i caps? (from to) (enter leave) shift
+                                     (BASE-CAP) (BASE-CAP)))))
                #f)))))))
 
   (: surface (-> FlVector FxVector Void))
@@ -97,13 +93,11 @@
           (let* ([distance (Float3-length across)]
                  ;; at the very tip the normal points out along the axis
                  [inverse-distance (if (fl> distance 0.0) (fl/ 1.0 distance) 0.0)]
-                 [along-slant (fl+ (fl* distance sine) (fl* z cosine))]
-                 [along-slant (if (fl< along-slant 0.0) 0.0
-                                  (if (fl> along-slant slant) slant along-slant))]
+                 [along-slant (flmax 0.0 (flmin slant (fl+ (fl* distance sine) (fl* z cosine))))]
                  [point-across (if side?
                                    (fl* along-slant (fl* sine inverse-distance))
                                    (if (fl> distance radius) (fl/ radius distance) 1.0))]
-                 [point-along (if side? (fl* along-slant cosine) height)]
+                 [point-along (if side? (fl* along-slant cosine) (fl* 1.0 height))]
                  [normal-across (if side? (fl* cosine inverse-distance) 0.0)]
                  [normal-along (if (and side? (fl> distance 0.0)) (fl* -1.0 sine)
                                    (if side? -1.0 1.0))])

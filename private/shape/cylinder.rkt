@@ -6,7 +6,7 @@
          "../material/material.rkt" "kernel.rkt" "shape.rkt")
 
 (provide (struct-out Cylinder) make-Cylinder Cylinder-kernel Cylinder-bounds
-         axial-frame local-x local-y local-z axial-angle put-axial-hit! SIDE
+         axial-frame local-x local-y local-z axial-angle axial-shift put-axial-hit! SIDE
          disk-extent box-around)
 
 ;; base, top: the centres of the two ends. radius: positive. material: the surface. caps?: whether
@@ -54,21 +54,30 @@
 ;; hit-u keeps which part of the surface was hit: SIDE, or the cap number the caller gives.
 (define-syntax-rule (SIDE) 0.0)
 
+;; How far along the ray to move its origin: to the point nearest to the frame's origin, where
+;; numbers are small, but 0 near the shape, so that an origin off the surface stays exactly there.
+(define-syntax-rule (axial-shift start d far-squared)
+  (if (fl> (Float3-length-squared start) far-squared)
+      (fl* -1.0 (fl/ (Float3-dot start d) (Float3-length-squared d)))
+      0.0))
+
 ;; Takes the hit from the parameters between which the ray is within the side's surface (low to
-;; high) and between the planes of the ends (enter to leave). Closed, the two intervals' meeting
-;; is one interval, so the ray meets the surface twice or not at all.
-(define-syntax-rule (put-axial-hit! r i caps? (low high) (enter leave) enter-cap leave-cap)
+;; high) and between the planes of the ends (enter to leave), all counted from `shift`. Closed, the
+;; two intervals' meeting is one interval, so the ray meets the surface twice or not at all.
+(define-syntax-rule (put-axial-hit! r i caps? (low high) (enter leave) shift enter-cap leave-cap)
   (if caps?
       (let* ([near (if (fl< low enter) enter low)]
-             [far (if (fl< leave high) leave high)])
+             [far (if (fl< leave high) leave high)]
+             [near-t (fl+ shift near)])
         (and (fl<= near far)
-             (if (fl> near 0.0)
-                 (put-part-hit! r i near (if (fl< low enter) enter-cap (SIDE)))
-                 (put-part-hit! r i far (if (fl< leave high) leave-cap (SIDE))))))
-      (if (and (fl> low 0.0) (fl<= enter low) (fl<= low leave))
-          (put-part-hit! r i low (SIDE))
-          (and (fl<= enter high) (fl<= high leave)
-               (put-part-hit! r i high (SIDE))))))
+             (if (fl> near-t 0.0)
+                 (put-part-hit! r i near-t (if (fl< low enter) enter-cap (SIDE)))
+                 (put-part-hit! r i (fl+ shift far) (if (fl< leave high) leave-cap (SIDE))))))
+      (let* ([low-t (fl+ shift low)])
+        (if (and (fl> low-t 0.0) (fl<= enter low) (fl<= low leave))
+            (put-part-hit! r i low-t (SIDE))
+            (and (fl<= enter high) (fl<= high leave)
+                 (put-part-hit! r i (fl+ shift high) (SIDE)))))))
 
 (define-syntax-rule (put-part-hit! r i t part)
   (let* ([at t] [of part])
@@ -108,36 +117,43 @@
   (define caps? (Cylinder-caps? cylinder))
   (define frame (axial-frame base (Float3-subtract top base)))
   (define height (Float3-distance base top))
+  (define far-squared (fl* 2.0 (fl+ (fl* radius radius) (fl* height height))))
   (define error-bound
     (fl* (fl* 16.0 (ROUNDING)) (fl+ (fl+ radius height) (Float3-largest-magnitude base))))
 
   ;; Across the axis the ray passes it at distance |k| / sqrt(a), so the discriminant is
-  ;; r^2 a - k^2 whatever the distance of its origin, and c is factored as a sphere's.
+  ;; r^2 a - k^2 whatever the distance of its origin, and c is factored as a sphere's. From outside
+  ;; the ball around the cylinder the ray first moves to its point nearest to the base.
   (: nearest (-> FlVector FxVector Boolean))
   (define (nearest r i)
     (let-float3 ([d (Float3-in r ray-direction)]
-                 [o (Float3-subtract (Float3-in r ray-origin) (Float3-in frame 0))])
+                 [start (Float3-subtract (Float3-in r ray-origin) (Float3-in frame 0))])
       (let* ([dx (local-x frame d)] [dy (local-y frame d)]
-             [ox (local-x frame o)] [oy (local-y frame o)]
+             [start-x (local-x frame start)] [start-y (local-y frame start)]
              [a (fl+ (fl* dx dx) (fl* dy dy))]
-             [k (fl- (fl* ox dy) (fl* oy dx))]
+             [k (fl- (fl* start-x dy) (fl* start-y dx))]
              [discriminant (fl- (fl* (fl* radius radius) a) (fl* k k))])
-        (and (fl>= discriminant 0.0)
-             (let* ([dz (local-z frame d)] [oz (local-z frame o)])
-               (let-slab (enter leave) (oz dz 0.0 height)
-                 (let* ([distance (flsqrt (fl+ (fl* ox ox) (fl* oy oy)))]
-                        [c (fl* (fl- distance radius) (fl+ distance radius))]
-                        [b (fl+ (fl* ox dx) (fl* oy dy))]
-                        [enter-cap (if (fl> dz 0.0) (BASE-CAP) (TOP-CAP))]
-                        [leave-cap (if (fl> dz 0.0) (TOP-CAP) (BASE-CAP))])
-                   (if (fl= a 0.0)
-                       (and (fl<= c 0.0)
-                            (put-axial-hit! r i caps? (-inf.0 +inf.0) (enter leave)
-                                            enter-cap leave-cap))
-                       (let-roots-of-discriminant (low high) (a b c discriminant)
-                         (put-axial-hit! r i caps? (low high) (enter leave)
-                                         enter-cap leave-cap))))
-                 #f))))))
+        (and
+         (fl>= discriminant 0.0)
+         (let* ([shift (axial-shift start d far-squared)]
+                [dz (local-z frame d)]
+                [ox (fl+ start-x (fl* shift dx))]
+                [oy (fl+ start-y (fl* shift dy))]
+                [oz (fl+ (local-z frame start) (fl* shift dz))])
+           (let-slab (enter leave) (oz dz 0.0 height)
+             (let* ([distance (flsqrt (fl+ (fl* ox ox) (fl* oy oy)))]
+                    [c (fl* (fl- distance radius) (fl+ distance radius))]
+                    [b (fl+ (fl* ox dx) (fl* oy dy))]
+                    [enter-cap (if (fl> dz 0.0) (BASE-CAP) (TOP-CAP))]
+                    [leave-cap (if (fl> dz 0.0) (TOP-CAP) (BASE-CAP))])
+               (let-roots-of-discriminant (low high) (a b c discriminant)
+                 ;; along the axis there is no root, but a side all around or none
+                 (let* ([along? (fl= a 0.0)]
+                        [low (if along? (if (fl> c 0.0) +inf.0 -inf.0) low)]
+                        [high (if along? +inf.0 high)])
+                   (put-axial-hit! r i caps? (low high) (enter leave) shift
+                                   enter-cap leave-cap))))
+             #f))))))
 
   (: surface (-> FlVector FxVector Void))
   (define (surface r i)
@@ -153,8 +169,8 @@
                  [side? (fl= part (SIDE))]
                  [from-axis (if (or side? (fl> distance radius)) (fl/ radius distance) 1.0)]
                  [along (if side?
-                            (if (fl< z 0.0) 0.0 (if (fl> z height) height z))
-                            (if (fl= part (BASE-CAP)) 0.0 height))]
+                            (flmax 0.0 (flmin z height))
+                            (fl* height (if (fl= part (BASE-CAP)) 0.0 1.0)))]
                  [normal-along (if side? 0.0 (if (fl= part (BASE-CAP)) -1.0 1.0))]
                  [normal-across (if side? (fl/ 1.0 distance) 0.0)])
             (let-float3 ([point (Float3-add (Float3-in frame 0)

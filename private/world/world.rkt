@@ -1,11 +1,11 @@
 #lang typed/racket/base
 ;; Worlds: shapes, lights, what lies behind them, and how the article's shading treats them.
-(require (for-syntax racket/base) racket/promise typed/racket/unsafe
+(require (for-syntax racket/base) racket/promise "../base/unsafe-typed.rkt"
          "../base/float3.rkt" "../base/check.rkt" "../base/public.rkt"
          "../shape/shape.rkt" "../shape/sphere.rkt" "../light/light.rkt" "../light/distant.rkt"
          "background.rkt" "scene.rkt")
 
-(provide (struct-out World) make-World (struct-out Shading) World-scene
+(provide (struct-out World) make-World (struct-out Shading) World-from-parts World-scene
          World-spheres World-sun World-background-color
          WORLD-AMBIENT-SAMPLES WORLD-MAX-OCCLUSION-DISTANCE)
 
@@ -70,8 +70,13 @@
              (check-count 'World "shadow-samples" shadow-samples 0 1000000)
              (check-count 'World "mirror-bounces" mirror-bounces 0 1000000)))
   (define all-lights (if (Light? lights) (list lights) lights))
-  (World shapes all-lights background shading
-         (once (lambda () (compile-scene shapes all-lights background)))))
+  (World-from-parts shapes all-lights background shading))
+
+;; A World from checked parts.
+(: World-from-parts (-> (Listof Shape) (Listof Light) Background Shading World))
+(define (World-from-parts shapes lights background shading)
+  (World shapes lights background shading
+         (once (lambda () (compile-scene shapes lights background)))))
 
 (define-constructor World make-World (shapes lights background)
   #:struct (shapes lights background _ _))

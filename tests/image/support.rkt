@@ -73,8 +73,9 @@
                                        0)]
                                     [exn:fail?
                                      (lambda (e)
+                                       (define start (min 60 (bytes-length mutant)))
                                        (fail (format "~a for ~s" (exn-message e)
-                                                     (subbytes mutant 0 (min 60 (bytes-length mutant)))))
+                                                     (subbytes mutant 0 start)))
                                        0)])
                       (define image (read-image path))
                       (check-equal? (flvector-length (Image-pixels image))

@@ -1,31 +1,28 @@
 #lang racket/base
 ;; Workers on futures: operating-system threads that share the memory of this process.
-(require racket/future "tiles.rkt")
+(require racket/future "../job.rkt" "tiles.rkt")
 
 (provide run-futures)
 
-;; Each worker is a future, and each future is touched by a thread of its own: if a scene's function
-;; does what a future may not, it goes on in that thread. The first exception stops the others and
-;; is raised again here; so is a break.
-(define (run-futures workers counter)
-  (define (work render-tile!)
-    (let loop ()
-      (define tile (take-tile! counter))
-      (when tile
-        (render-tile! tile)
-        (loop))))
+;; run-futures : as run-sequential, by as many workers as asked for. Each worker is a future, and
+;; each future is touched by a thread of its own: if a scene's function does what a future may not,
+;; it goes on in that thread. The first exception stops the others and is raised again here; so is
+;; a break.
+(define (run-futures job film workers counter)
+  (define-values (procedures counts)
+    (for/lists (procedures counts) ([k (in-range workers)])
+      (Job-worker job film)))
   (define failure (box #f))
   (define futures
-    (for/list ([render-tile! (in-list workers)])
-      (future (lambda () (work render-tile!)))))
+    (for/list ([render-tile! (in-list procedures)])
+      (future (lambda () (work render-tile! counter)))))
   (define threads
     (for/list ([f (in-list futures)])
       (thread
        (lambda ()
-         (with-handlers ([(lambda (e) #t)
-                          (lambda (e)
-                            (box-cas! failure #f e)
-                            (tile-counter-stop! counter))])
+         (with-handlers ([void (lambda (e)
+                                 (box-cas! failure #f e)
+                                 (tile-counter-stop! counter))])
            (touch f))))))
   (define (wait) (for-each thread-wait threads))
   (with-handlers ([exn:break? (lambda (e)
@@ -33,4 +30,5 @@
                                 (wait)
                                 (raise e))])
     (wait))
-  (when (unbox failure) (raise (unbox failure))))
+  (when (unbox failure) (raise (unbox failure)))
+  counts)

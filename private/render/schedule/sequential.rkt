@@ -1,14 +1,11 @@
 #lang racket/base
-;; One worker after another, on the calling thread.
-(require "tiles.rkt")
+;; One worker on the calling thread.
+(require "../job.rkt" "tiles.rkt")
 
 (provide run-sequential)
 
-;; workers: a list of procedures that render the tile they are given.
-(define (run-sequential workers counter)
-  (define render-tile! (car workers))
-  (let loop ()
-    (define tile (take-tile! counter))
-    (when tile
-      (render-tile! tile)
-      (loop))))
+;; run-sequential : renders every tile of the job into the film; a list of what workers counted.
+(define (run-sequential job film workers counter)
+  (define-values (render-tile! counts) (Job-worker job film))
+  (work render-tile! counter)
+  (list counts))

@@ -1,9 +1,8 @@
 #lang racket/base
 ;; What every schedule shares: a counter from which workers take the next tile, and the flag by
 ;; which all of them are asked to stop.
-(provide make-tile-counter take-tile! tiles-done tile-counter-stop! tile-counter-stopped?)
+(provide make-tile-counter take-tile! tiles-taken tile-counter-stop! work)
 
-;; next: a box with the next tile. done: one count per worker, so that no two write one place.
 (struct tile-counter (next total [stopped? #:mutable]))
 
 (define (make-tile-counter total) (tile-counter (box 0) total #f))
@@ -19,6 +18,14 @@
       [else (try)])))
 
 ;; How many tiles have been taken.
-(define (tiles-done counter) (min (unbox (tile-counter-next counter)) (tile-counter-total counter)))
+(define (tiles-taken counter) (unbox (tile-counter-next counter)))
 
 (define (tile-counter-stop! counter) (set-tile-counter-stopped?! counter #t))
+
+;; Renders tiles until there are none.
+(define (work render-tile! counter)
+  (let loop ()
+    (define tile (take-tile! counter))
+    (when tile
+      (render-tile! tile)
+      (loop))))

@@ -1,0 +1,22 @@
+#lang typed/racket/base
+;; The path integrator's kernel of any material: the one place that lists them all.
+(require "material.rkt" "kernel.rkt" "lambertian.rkt" "phong.rkt" "emitter.rkt"
+         "mirror.rkt" "metal.rkt" "dielectric.rkt" "plastic.rkt" "modified-phong.rkt" "mix.rkt"
+         "../base/check.rkt" "../base/float3.rkt")
+
+(provide Material-kernel)
+
+;; An emitter reflects nothing.
+(: Material-kernel (-> Material MaterialKernel))
+(define (Material-kernel material)
+  (cond
+    [(Lambertian? material) (Lambertian-kernel material)]
+    [(Phong? material) (Phong-kernel material)]
+    [(ModifiedPhong? material) (ModifiedPhong-kernel material)]
+    [(Mirror? material) (Mirror-kernel material)]
+    [(Metal? material) (Metal-kernel material)]
+    [(Dielectric? material) (Dielectric-kernel material)]
+    [(Plastic? material) (Plastic-kernel material)]
+    [(Mix? material) (Mix-kernel material Material-kernel)]
+    [(Emitter? material) (Lambertian-kernel (make-Lambertian (make-Float3 0 0 0)))]
+    [else (raise-expected 'World "materials" "materials of this library" material)]))
