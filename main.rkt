@@ -3,9 +3,16 @@
 (require racket/require "private/surface.rkt"
          (subtract-in
           (combine-in
-           "private/base/float3.rkt" "private/shape/shape.rkt" "private/shape/sphere.rkt"
+           "private/base/float3.rkt"
+           "private/shape/shape.rkt" "private/shape/kernels.rkt" "private/shape/sphere.rkt"
+           "private/shape/plane.rkt" "private/shape/disk.rkt" "private/shape/quad.rkt"
+           "private/shape/triangle.rkt" "private/shape/box.rkt" "private/shape/cylinder.rkt"
+           "private/shape/cone.rkt" "private/shape/torus.rkt"
            "private/material/material.rkt" "private/material/phong.rkt"
-           "private/material/emitter.rkt" "private/material/color.rkt"
+           "private/material/emitter.rkt" "private/material/lambertian.rkt"
+           "private/material/mirror.rkt" "private/material/metal.rkt"
+           "private/material/dielectric.rkt" "private/material/plastic.rkt"
+           "private/material/modified-phong.rkt" "private/material/mix.rkt"
            "private/light/light.rkt" "private/light/distant.rkt" "private/light/point.rkt"
            "private/world/ray.rkt" "private/world/camera.rkt" "private/world/background.rkt"
            "private/world/world.rkt" "private/integrate/query.rkt"
@@ -40,11 +47,24 @@
  Camera-focus-distance Camera-look-at Camera-global-up Camera-get-ray-direction Camera-ray
  ;; shapes
  Shape? Shape-intersect Sphere Sphere? Sphere-point Sphere-radius Sphere-material
- Sphere-color Sphere-intersect
+ Sphere-color Sphere-intersect Shape-material
+ Plane Plane? Plane-point Plane-normal Plane-material
+ Disk Disk? Disk-point Disk-normal Disk-radius Disk-material
+ Quad Quad? Quad-corner Quad-edge-u Quad-edge-v Quad-material
+ Triangle Triangle? Triangle-a Triangle-b Triangle-c Triangle-material
+ Box Box? Box-low Box-high Box-material
+ Cylinder Cylinder? Cylinder-base Cylinder-top Cylinder-radius Cylinder-material Cylinder-caps?
+ Cone Cone? Cone-base Cone-radius Cone-apex Cone-material Cone-caps?
+ Torus Torus? Torus-center Torus-axis Torus-major-radius Torus-minor-radius Torus-material
  ;; materials
  Material? Phong Phong? Phong-color Phong-specularity Phong-shininess Phong-reflectivity
  WORLD-SHAPE-SPECULARITY WORLD-SHAPE-SHININESS Emitter Emitter? Emitter-radiance
- Emitter-two-sided?
+ Emitter-two-sided? Lambertian Lambertian? Lambertian-albedo Mirror Mirror? Mirror-color
+ Metal Metal? Metal-albedo Metal-fuzz
+ Dielectric Dielectric? Dielectric-ior Dielectric-fresnel Dielectric-absorption
+ Dielectric-outside-ior Plastic Plastic? Plastic-albedo Plastic-ior
+ ModifiedPhong ModifiedPhong? ModifiedPhong-albedo ModifiedPhong-specular
+ ModifiedPhong-shininess Mix Mix? Mix-first Mix-second Mix-weight
  ;; lights and what lies behind everything
  Light? DistantLight DistantLight? DistantLight-direction DistantLight-color
  PointLight PointLight? PointLight-point PointLight-intensity

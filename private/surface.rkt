@@ -5,7 +5,13 @@
          (prefix-in struct: (combine-in (except-in "base/float3.rkt" Float3)
                                         (only-in "base/fuse.rkt" Float3)
                                         "material/phong.rkt" "material/emitter.rkt"
-                                        "shape/sphere.rkt"
+                                        "material/lambertian.rkt" "material/mirror.rkt"
+                                        "material/metal.rkt" "material/dielectric.rkt"
+                                        "material/plastic.rkt" "material/modified-phong.rkt"
+                                        "material/mix.rkt"
+                                        "shape/sphere.rkt" "shape/plane.rkt" "shape/disk.rkt"
+                                        "shape/quad.rkt" "shape/triangle.rkt" "shape/box.rkt"
+                                        "shape/cylinder.rkt" "shape/cone.rkt" "shape/torus.rkt"
                                         "light/distant.rkt" "light/point.rkt"
                                         "world/ray.rkt" "world/camera.rkt"
                                         "world/background.rkt" "world/world.rkt"))
@@ -16,9 +22,24 @@
 (define-surface Ray (point direction time))
 (define-surface Intersection (t point normal color))
 (define-surface Sphere (point radius material))
+(define-surface Plane (point normal material))
+(define-surface Disk (point normal radius material))
+(define-surface Quad (corner edge-u edge-v material))
+(define-surface Triangle (a b c material))
+(define-surface Box (low high material))
+(define-surface Cylinder (base top radius material caps?))
+(define-surface Cone (base radius apex material caps?))
+(define-surface Torus (center axis major-radius minor-radius material))
 (define-surface DistantLight (direction color))
 (define-surface PointLight (point intensity))
 (define-surface Phong (color specularity shininess reflectivity))
 (define-surface Emitter (radiance two-sided?))
+(define-surface Lambertian (albedo))
+(define-surface Mirror (color))
+(define-surface Metal (albedo fuzz))
+(define-surface Dielectric (ior fresnel absorption outside-ior))
+(define-surface Plastic (albedo ior))
+(define-surface ModifiedPhong (albedo specular shininess))
+(define-surface Mix (first second weight))
 (define-surface GradientSky (bottom top))
 (define-surface World (shapes lights background) #:struct (shapes lights background _ _))

@@ -104,7 +104,7 @@
                                      (fl<= (flabs newton-step) (fl* 0.5 (flabs last-step)))))]
                      [next (if (fl= value 0.0) t (if good? newton (fl* 0.5 (fl+ low* up*))))]
                      [step (fl- next t)])
-                (if (improvable? step last-step root-tolerance)
+                (if (improvable? step (if good? last-step 0.0) root-tolerance span)
                     (refining low* up* next (if good? step 0.0))
                     (let ([root (fl+ next 0.0)]) found)))))))
       (cond
@@ -126,7 +126,7 @@
                          (let* ([next (fl- t (fl/ (cubic p q t) (fl+ (fl* 3.0 (fl* t t)) p)))]
                                 [kept (if (fl>= next left) (if (fl<= next right) next right) left)]
                                 [step (fl- kept t)])
-                           (if (improvable? step last-step extreme-tolerance)
+                           (if (improvable? step last-step extreme-tolerance span)
                                (climbing kept step)
                                (evaluate kept (value slope)
                                  (if (eq? (fl< value 0.0) (fl< start-value 0.0))
@@ -137,13 +137,15 @@
          (refine 5 high high-value start)]
         [else none]))))
 
-;; Whether a Newton step may leave an error above the tolerance. The error after a step is to the
-;; step as its square is to the square of the last (0 where none came before), up to a factor that
-;; varies slowly; 2^10 is allowed for it.
-(define-syntax-rule (improvable? step last-step tolerance)
-  (and (fl> (flabs step) tolerance)
-       (fl> (fl* 1024.0 (fl* (flabs step) (fl* step step)))
-            (fl* tolerance (fl* last-step last-step)))))
+;; Whether a Newton step may leave an error above the tolerance. The error after a step is the
+;; step's square times a factor: the one that last-step (0 where none came before) shows, and by
+;; a lucky step too small, so that 2^10 times it and 2^6 over the interval's span are allowed for.
+(define-syntax-rule (improvable? step last-step tolerance span)
+  (let* ([square (fl* step step)])
+    (and (fl> (flabs step) tolerance)
+         (or (fl> (fl* 64.0 square) (fl* tolerance span))
+             (fl> (fl* 1024.0 (fl* (flabs step) square))
+                  (fl* tolerance (fl* last-step last-step)))))))
 
 ;; The root between start and end, where the values differ in sign, of the parabola through both
 ;; that turns at `turning`, one of them.

@@ -2,14 +2,12 @@
 ;; Affine maps of space with their inverses: translations, scalings, rotations, shears, views, and
 ;; what they are composed of. Values; nothing changes one.
 (require racket/list
-         "unsafe.rkt" "float3.rkt" "check.rkt")
+         "unsafe.rkt" "float3.rkt" "check.rkt" "matrix.rkt")
 
 (provide (struct-out Transform) Transform-matrix-rows
          make-Transform Transform-identity Transform-translate Transform-scale Transform-rotate
          Transform-shear Transform-look-at Transform-compose Transform-inverse
-         Transform-point Transform-vector Transform-normal
-         matrix-point matrix-vector matrix-normal matrix-largest-sum matrix-image-magnitude
-         transform-box)
+         Transform-point Transform-vector Transform-normal)
 
 ;; matrix, inverse-matrix: the first three rows of the 4 x 4 matrix of the map and of its inverse,
 ;; row by row, twelve numbers each; the last row is 0 0 0 1. The image of a point p is M p.
@@ -31,60 +29,6 @@
 (define (Transform-matrix-rows transform)
   (define entries (Transform-entries transform))
   (list (take entries 4) (take (drop entries 4) 4) (drop entries 8)))
-
-;; --- kernels ---
-
-;; The image of a point, of a direction, and of a normal: of a normal under the map whose inverse
-;; is given, by its transpose.
-(define-float3-operation (matrix-point [m : FlVector] [(x y z) : Float3])
-  : Float3 ((fl+ (row-dot m 0 x y z) (flvector-ref m 3))
-            (fl+ (row-dot m 4 x y z) (flvector-ref m 7))
-            (fl+ (row-dot m 8 x y z) (flvector-ref m 11))))
-(define-float3-operation (matrix-vector [m : FlVector] [(x y z) : Float3])
-  : Float3 ((row-dot m 0 x y z) (row-dot m 4 x y z) (row-dot m 8 x y z)))
-(define-float3-operation (matrix-normal [inverse : FlVector] [(x y z) : Float3])
-  : Float3 ((column-dot inverse 0 x y z) (column-dot inverse 1 x y z) (column-dot inverse 2 x y z)))
-
-(define-syntax-rule (row-dot m row x y z)
-  (fl+ (fl+ (fl* (flvector-ref m row) x) (fl* (flvector-ref m (fx+ row 1)) y))
-       (fl* (flvector-ref m (fx+ row 2)) z)))
-(define-syntax-rule (column-dot m column x y z)
-  (fl+ (fl+ (fl* (flvector-ref m column) x) (fl* (flvector-ref m (fx+ column 4)) y))
-       (fl* (flvector-ref m (fx+ column 8)) z)))
-
-;; The largest sum of magnitudes along a row: no coordinate grows by more than this factor.
-(: matrix-largest-sum (-> FlVector Flonum))
-(define (matrix-largest-sum m)
-  (for/fold ([largest : Flonum 0.0]) ([row : Nonnegative-Fixnum (in-range 3)])
-    (flmax largest (row-sum m (fx* 4 row)))))
-
-(: row-sum (-> FlVector Fixnum Flonum))
-(define (row-sum m row)
-  (fl+ (fl+ (flabs (flvector-ref m row)) (flabs (flvector-ref m (fx+ row 1))))
-       (flabs (flvector-ref m (fx+ row 2)))))
-
-;; No partial sum in the image of a point with coordinates up to `size` is larger: rounding errors
-;; of matrix-point are at most four roundings of this.
-(: matrix-image-magnitude (-> FlVector Flonum Flonum))
-(define (matrix-image-magnitude m size)
-  (for/fold ([largest : Flonum 0.0]) ([row : Nonnegative-Fixnum (in-range 3)])
-    (flmax largest (fl+ (fl* size (row-sum m (fx* 4 row)))
-                        (flabs (flvector-ref m (fx+ 3 (fx* 4 row))))))))
-
-;; The box around the image of a box, low x y z and high x y z, corner by corner.
-(: transform-box (-> FlVector FlVector FlVector))
-(define (transform-box m box)
-  (define image (flvector +inf.0 +inf.0 +inf.0 -inf.0 -inf.0 -inf.0))
-  (for ([corner : Nonnegative-Fixnum (in-range 8)])
-    (define x (flvector-ref box (if (fx= 0 (fxand corner 1)) 0 3)))
-    (define y (flvector-ref box (if (fx= 0 (fxand corner 2)) 1 4)))
-    (define z (flvector-ref box (if (fx= 0 (fxand corner 4)) 2 5)))
-    (for ([axis : Nonnegative-Fixnum (in-range 3)])
-      (define value
-        (fl+ (row-dot m (fx* 4 axis) x y z) (flvector-ref m (fx+ 3 (fx* 4 axis)))))
-      (flvector-set! image axis (flmin value (flvector-ref image axis)))
-      (flvector-set! image (fx+ 3 axis) (flmax value (flvector-ref image (fx+ 3 axis))))))
-  image)
 
 ;; --- constructors ---
 
@@ -134,12 +78,11 @@
 ;; An inverse's linear part completed by the translation that undoes that of m.
 (: with-translation-undone (-> FlVector FlVector FlVector))
 (define (with-translation-undone linear m)
-  (define-values (x y z) (values (flvector-ref m 3) (flvector-ref m 7) (flvector-ref m 11)))
-  (define-syntax-rule (undone row) (fl- 0.0 (row-dot linear row x y z)))
+  (define undone (Float3-negate (matrix-vector linear 0 (matrix-origin m 0))))
   (define-syntax-rule (at k) (flvector-ref linear k))
-  (flvector (at 0) (at 1) (at 2) (undone 0)
-            (at 4) (at 5) (at 6) (undone 4)
-            (at 8) (at 9) (at 10) (undone 8)))
+  (flvector (at 0) (at 1) (at 2) (Float3-x undone)
+            (at 4) (at 5) (at 6) (Float3-y undone)
+            (at 8) (at 9) (at 10) (Float3-z undone)))
 
 (: all-finite? (-> FlVector Boolean))
 (define (all-finite? m)
@@ -276,20 +219,8 @@
 (define (Transform-compose . transforms)
   (for/fold ([outer : Transform (Transform-identity)]) ([inner (in-list transforms)])
     (checked 'Transform-compose
-             (product (Transform-matrix outer) (Transform-matrix inner))
-             (product (Transform-inverse-matrix inner) (Transform-inverse-matrix outer)))))
-
-(: product (-> FlVector FlVector FlVector))
-(define (product m n)
-  (define result (make-flvector 12 0.0))
-  (for* ([row : Nonnegative-Fixnum (in-range 3)] [column : Nonnegative-Fixnum (in-range 4)])
-    (flvector-set! result (fx+ (fx* 4 row) column)
-                   (fl+ (row-dot m (fx* 4 row)
-                                 (flvector-ref n column)
-                                 (flvector-ref n (fx+ 4 column))
-                                 (flvector-ref n (fx+ 8 column)))
-                        (if (fx= column 3) (flvector-ref m (fx+ 3 (fx* 4 row))) 0.0))))
-  result)
+             (matrix-product (Transform-matrix outer) (Transform-matrix inner))
+             (matrix-product (Transform-inverse-matrix inner) (Transform-inverse-matrix outer)))))
 
 ;; Transform-inverse : the map that undoes it.
 (: Transform-inverse (-> Transform Transform))
@@ -299,11 +230,11 @@
 ;; Transform-point, -vector, -normal : the image of a point; of a direction, with its length; and
 ;; the unit normal of the image of a surface (by the inverse transpose).
 (: Transform-point (-> Transform Float3 Float3))
-(define (Transform-point transform point) (matrix-point (Transform-matrix transform) point))
+(define (Transform-point transform point) (matrix-point (Transform-matrix transform) 0 point))
 
 (: Transform-vector (-> Transform Float3 Float3))
-(define (Transform-vector transform vector) (matrix-vector (Transform-matrix transform) vector))
+(define (Transform-vector transform vector) (matrix-vector (Transform-matrix transform) 0 vector))
 
 (: Transform-normal (-> Transform Float3 Float3))
 (define (Transform-normal transform normal)
-  (Float3-normalized/checked (matrix-normal (Transform-inverse-matrix transform) normal)))
+  (Float3-normalized/checked (matrix-normal (Transform-inverse-matrix transform) 0 normal)))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; raco raytrace list: the package's scenes, each with the first line of its header.
+;; raco raytrace list: the package's scenes, each with the first sentence of its header.
 (require "flags.rkt" "scenes.rkt")
 
 (provide list-scenes)
@@ -14,10 +14,14 @@
     (printf "~a~a~a\n" (car row) (make-string (- (+ widest 2) (string-length (car row))) #\space)
             (cdr row))))
 
-;; The file's first comment line without its semicolons.
+;; The first sentence of the comment a file starts with.
 (define (scene-header path)
-  (call-with-input-file path
-    (lambda (in)
-      (or (for/first ([line (in-lines in)] #:when (regexp-match? #rx"^;+ *[^; ]" line))
-            (regexp-replace #rx"^;+ *" line ""))
-          ""))))
+  (define comment
+    (call-with-input-file path
+      (lambda (in)
+        (for*/fold ([text ""] [ended? #f] #:result text)
+                   ([line (in-lines in)] #:break ended?)
+          (define words (regexp-match #rx"^;+ *(.*)$" line))
+          (cond [words (values (string-append text (if (string=? text "") "" " ") (cadr words)) #f)]
+                [else (values text (not (string=? text "")))])))))
+  (car (regexp-match #px"^.*?[.](?= |$)|^.*$" comment)))

@@ -2,6 +2,7 @@
 ;; The path integrator's kernel of any material: the one place that lists them all.
 (require "material.rkt" "kernel.rkt" "lambertian.rkt" "phong.rkt" "emitter.rkt"
          "mirror.rkt" "metal.rkt" "dielectric.rkt" "plastic.rkt" "modified-phong.rkt" "mix.rkt"
+         "rough-conductor.rkt" "rough-dielectric.rkt"
          "../base/check.rkt" "../base/float3.rkt")
 
 (provide Material-kernel)
@@ -16,6 +17,8 @@
     [(Mirror? material) (Mirror-kernel material)]
     [(Metal? material) (Metal-kernel material)]
     [(Dielectric? material) (Dielectric-kernel material)]
+    [(RoughConductor? material) (RoughConductor-kernel material)]
+    [(RoughDielectric? material) (RoughDielectric-kernel material)]
     [(Plastic? material) (Plastic-kernel material)]
     [(Mix? material) (Mix-kernel material Material-kernel)]
     [(Emitter? material) (Lambertian-kernel (make-Lambertian (make-Float3 0 0 0)))]

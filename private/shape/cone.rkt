@@ -46,8 +46,8 @@
     (fl* (fl* 16.0 (ROUNDING)) (fl+ (fl+ radius height) (Float3-largest-magnitude apex))))
 
   ;; From outside the ball around the cone the ray first moves to its point nearest to the apex,
-  ;; where the coefficients keep their digits. The discriminant b^2 - a c is, multiplied out, the difference of two
-  ;; squares: spread^2 |dz o - oz d|^2 - (ox dy - oy dx)^2.
+  ;; where the coefficients keep their digits. The discriminant b^2 - a c is, multiplied out, a
+  ;; difference of two squares: spread^2 |dz o - oz d|^2 - (ox dy - oy dx)^2.
   (: nearest (-> FlVector FxVector Boolean))
   (define (nearest r i)
     (let-float3 ([d (Float3-in r ray-direction)]

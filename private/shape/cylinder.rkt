@@ -30,7 +30,7 @@
 
 ;; --- shapes around an axis: local coordinates have z along it ---
 
-;; Ten numbers for the kernels: an origin, and tangent, bitangent and axis of an orthonormal frame.
+;; Twelve numbers for the kernels: an origin, and tangent, bitangent and axis of a frame.
 (: axial-frame (-> Float3 Float3 FlVector))
 (define (axial-frame origin direction)
   (define frame (make-flvector 12))

@@ -1,7 +1,7 @@
 #lang typed/racket/base
 ;; A material's kernel at a bench: a scratch with one surface in it, for the tests of materials.
 ;; Directions and weights are flvectors of three.
-(require racket/flonum
+(require (only-in racket/flonum in-flvector)
          "../../private/base/unsafe.rkt" "../../private/base/registers.rkt"
          "../../private/sample/sampler.rkt" "../../private/material/material.rkt"
          "../../private/material/kernel.rkt" "../../private/material/kernels.rkt")

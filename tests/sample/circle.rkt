@@ -2,7 +2,7 @@
 ;; Points on the circle against the exact cosine and sine.
 
 (module+ test
-  (require rackunit "../statistics.rkt" "../turn.rkt" "warps.rkt")
+  (require racket/list rackunit "../statistics.rkt" "../turn.rkt" "warps.rkt")
 
   (define uniform (seeded 1))
   ;; the disk's rim is the bare circle
@@ -13,8 +13,8 @@
 
   (test-case "cosine and sine within 3e-16: random turns, and around all sector bounds"
     (define bounds
-      (for*/list ([k 129] [step '(-1 0 1)]
-                  [v (in-value (+ (/ k 128.0) (* step 1.2e-16)))] #:when (<= 0.0 v 1.0))
+      (for*/list ([k (in-list (map exact->inexact (range 129)))] [step '(-1.0 0.0 1.0)]
+                  [v (in-value (+ (* k 0.0078125) (* step 1.2e-16)))] #:when (<= 0.0 v 1.0))
         v))
     (define turns (append bounds (for/list ([k (stressed 3000 100000)]) (uniform))))
     (define worst (apply max (map check-turn turns)))

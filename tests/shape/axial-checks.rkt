@@ -2,7 +2,8 @@
 ;; What the tests of cylinder, cone and torus share: vectors, random rays, and the checks that hold
 ;; for any closed shape around an axis.
 
-(provide stress? make-random random-unit random-in-ball random-hit cosine-direction random-rotation rotate
+(provide stress? make-random random-unit random-in-ball random-hit cosine-direction
+         random-rotation rotate
          add subtract scale dot cross norm exact
          check-spawned-rays check-hits-in-bounds check-axes-agree check-power-of-two-scaling
          check-crossings-alternate)

@@ -33,7 +33,7 @@
           (sort (list (/ (- l o) d) (/ (- h o) d)) <)))
       (define-values (near far) (values (apply max (map first slabs)) (apply min (map second slabs))))
       (and (< near far) (> far 0) (if (> near 0) near far)))
-    (for ([k (stressed 3000)])
+    (for ([k (stressed 1500)])
       (define low (random-unit uniform))
       (define high (add low (list (uniform 0.1 2.0) (uniform 0.1 2.0) (uniform 0.1 2.0))))
       (define o (scale (uniform 0.0 4.0) (random-unit uniform)))
@@ -110,7 +110,7 @@
             [(< (uniform) 0.5) l]
             [else h])))
 
-  (test-case "10^5 rays aimed at edges and corners from inside and outside, 0 leaks"
+  (test-case "10^5 rays aimed at edges and corners from inside and outside: all hit a point of the box"
     (define uniform (make-random 43))
     (for* ([offset '(0.0 1e3 1e6)] [unit? '(#f #t)] [from '(0.9 3.0 100.0)])
       (define low (placed (list (scale 0.5 (random-unit uniform))) 1.0 (- offset 2.0)))
@@ -122,14 +122,11 @@
           (define o (map (lambda (x) (+ offset x)) (scale (* 1.2 from) (random-unit uniform))))
           (define aimed (subtract target o))
           (define d (if unit? (unit aimed) aimed))
-          (define t (shoot p o d))
-          (cond
-            [t
-             (define s (surface-at p))
-             (for ([l (car low)] [x (Surface-point s)] [h (car high)])
-               (check-true (<= l x h)))
-             0]
-            [else 1])))
+          (define on-it?
+            (and (shoot p o d)
+                 (for/and ([l (car low)] [x (Surface-point (surface-at p))] [h (car high)])
+                   (<= l x h))))
+          (if on-it? 0 1)))
       (check-equal? leaks 0 (format "~a ~a ~a" offset unit? from))))
 
   (define (random-aim low high uniform reach)

@@ -52,7 +52,8 @@
 
   (test-case "S04: no ray meets the disk it leaves, nor passes one 1000 ulp away"
     (define uniform (make-random 22))
-    (for* ([size '(1e-9 1.0 1e9)] [offset '(0.0 1.0 1e4 1e8)] [normal '((0.0 1.0 0.0) (0.3 -0.8 0.5))])
+    (for* ([size '(1e-9 1.0 1e9)] [offset '(0.0 1.0 1e4 1e8)]
+           [normal '((0.0 1.0 0.0) (0.3 -0.8 0.5))])
       (define at (car (placed '((0.2 -0.3 0.4)) size offset)))
       (define gap (* 1000.0 2.0 roundoff size (max 1.0 offset)))
       (define (shifted side) (probe (disk (add at (scale (* side gap) (unit normal))) normal size)))
@@ -75,8 +76,8 @@
       (define p (probe (disk center normal 2.0)))
       (define points
         (for*/list ([j (stressed 1000)]
-                    [target (in-value (add center (scale (uniform 1.99 2.0)
-                                                         (unit (cross normal (random-unit uniform))))))]
+                    [across (in-value (unit (cross normal (random-unit uniform))))]
+                    [target (in-value (add center (scale (uniform 1.99 2.0) across)))]
                     #:when (shoot p (add target normal) (scale -1.0 normal)))
           (Surface-point (surface-at p))))
       (for ([axis 3])

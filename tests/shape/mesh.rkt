@@ -10,6 +10,10 @@
 
   (define stress? (getenv "RAYTRACE_STRESS"))
 
+  (define (cross p q)
+    (define-values (px py pz qx qy qz) (apply values (append p q)))
+    (list (- (* py qz) (* pz qy)) (- (* pz qx) (* px qz)) (- (* px qy) (* py qx))))
+
   (test-case "S05, S06: rays from inside at edges and vertices: 0 leaks"
     (define g (make-generator 5))
     (define shots 0)
@@ -114,7 +118,8 @@
       (define-values (a b c) (values (corner) (corner) (corner)))
       (define (float3 p) (apply make-Float3 p))
       (define normals
-        (apply flvector (append* (for/list ([_ 3]) (map (lambda (x) (* 3.0 x)) (random-direction g))))))
+        (apply flvector
+               (append* (for/list ([_ 3]) (map (lambda (x) (* 3.0 x)) (random-direction g))))))
       (define mesh
         (make-Mesh (apply flvector (append a b c)) (fxvector 0 1 2) #:normals normals
                    #:uvs (flvector 0.0 0.0 2.0 0.0 0.0 3.0)))
@@ -128,7 +133,7 @@
       (define normal (triangle-normal (float3 a) (float3 b) (float3 c)))
       (define facing (abs (Float3-dot/function normal (float3 d))))
       (when (and surface (> facing 0.05))
-        (define-values (t point n s u v* bound) 
+        (define-values (t point n s u v* bound)
           (values (first surface) (take (drop surface 1) 3) (take (drop surface 4) 3)
                   (take (drop surface 7) 3) (list-ref surface 10) (list-ref surface 11)
                   (list-ref surface 12)))
@@ -151,10 +156,6 @@
         (define slack (* 1e-13 (+ 1.0 offset) 100.0))
         (check-= u (* 2.0 v) slack)
         (check-= v* (* 3.0 w) slack))))
-
-  (define (cross p q)
-    (define-values (px py pz qx qy qz) (apply values (append p q)))
-    (list (- (* py qz) (* pz qy)) (- (* pz qx) (* px qz)) (- (* px qy) (* py qx))))
 
   (test-case "without normals and uvs: flat, and the weights; opposed normals are turned"
     (define positions (flvector 0.0 0.0 0.0 1.0 0.0 0.0 0.0 1.0 0.0))

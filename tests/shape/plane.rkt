@@ -13,7 +13,8 @@
 
   (test-case "a floor seen from above and from below, exactly"
     (define floor (plane '(0.0 -1.0 0.0) '(0.0 3.0 0.0)))
-    (define found (Shape-intersect floor (make-Ray (float3 '(1.0 2.0 3.0)) (float3 '(0.5 -1.0 1.0)))))
+    (define found
+      (Shape-intersect floor (make-Ray (float3 '(1.0 2.0 3.0)) (float3 '(0.5 -1.0 1.0)))))
     (check-equal? (Intersection-t found) 3.0)
     (check-equal? (float3->list (Intersection-point found)) '(2.5 -1.0 6.0))
     (check-equal? (float3->list (Intersection-normal found)) '(0.0 1.0 0.0))
@@ -54,7 +55,8 @@
 
   (test-case "S04: no ray meets the plane it leaves, nor passes one 1000 ulp away"
     (define uniform (make-random 12))
-    (for* ([size '(1e-9 1.0 1e9)] [offset '(0.0 1.0 1e4 1e8)] [normal '((0.0 1.0 0.0) (0.3 -0.8 0.5))])
+    (for* ([size '(1e-9 1.0 1e9)] [offset '(0.0 1.0 1e4 1e8)]
+           [normal '((0.0 1.0 0.0) (0.3 -0.8 0.5))])
       (define at (car (placed '((0.2 -0.3 0.4)) size offset)))
       (define p (probe (plane at normal)))
       (define gap (* 1000.0 2.0 roundoff size (max 1.0 offset)))

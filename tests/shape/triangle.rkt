@@ -150,7 +150,8 @@
         (triangle-probe (for/list ([p corners]) (add p (scale (* side gap) normal)))))
       (define-values (above below) (values (shifted 1.0) (shifted -1.0)))
       (define total
-        (count-spawned (triangle-probe corners) (stressed 700) uniform (aimed-at corners uniform size)
+        (count-spawned (triangle-probe corners) (stressed 700) uniform
+                       (aimed-at corners uniform size)
                        #:beyond (lambda (side) (if (> side 0.0) above below))))
       (check-true (> (counts-rays total) 1000))
       (check-equal? (counts-again total) 0 (format "~a ~a" size offset))
@@ -164,7 +165,8 @@
                       (list (+ 0.7 (/ 0.3 aspect)) (+ 0.1 (/ -0.2 aspect)) -0.05))
                 1.0 offset))
       (define total
-        (count-spawned (triangle-probe corners) (stressed 500) uniform (aimed-at corners uniform 1.0)))
+        (count-spawned (triangle-probe corners) (stressed 500) uniform
+                       (aimed-at corners uniform 1.0)))
       (check-true (> (counts-rays total) 50) (format "~a ~a" aspect offset))
       (check-equal? (counts-again total) 0 (format "~a ~a" aspect offset))))
 
