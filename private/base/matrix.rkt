@@ -44,7 +44,7 @@
     (define size
       (fl+ (fl+ (flabs (fl* (flvector-ref m row) x)) (flabs (fl* (flvector-ref m (fx+ row 1)) y)))
            (fl+ (flabs (fl* (flvector-ref m (fx+ row 2)) z)) (flabs offset))))
-    (define pad (fl* 8.881784197001252e-16 size))
+    (define pad (fl* 8.881784197001252e-16 size)) ; eight roundings
     (flvector-set! image axis (flmin (fl- value pad) (flvector-ref image axis)))
     (flvector-set! image (fx+ 3 axis) (flmax (fl+ value pad) (flvector-ref image (fx+ 3 axis)))))
   (if (for/and : Boolean ([k : Nonnegative-Fixnum (in-range 6)])

@@ -1,8 +1,8 @@
 #lang typed/racket/base
 ;; Affine maps of space with their inverses: translations, scalings, rotations, shears, views, and
 ;; what they are composed of. Values; nothing changes one.
-(require racket/list
-         "unsafe.rkt" "float3.rkt" "check.rkt" "matrix.rkt")
+(require racket/list (for-syntax racket/base)
+         "unsafe.rkt" "float3.rkt" "check.rkt" "matrix.rkt" "public.rkt")
 
 (provide (struct-out Transform) Transform-matrix-rows
          make-Transform Transform-identity Transform-translate Transform-scale Transform-rotate
@@ -44,6 +44,8 @@
   (apply flvector
          (for/list : (Listof Flonum) ([entry (in-list entries)])
            (check-finite who "entry" entry))))
+
+(define-constructor Transform make-Transform (matrix inverse-matrix))
 
 ;; By cofactors, in rational arithmetic. A determinant within the rounding of its own terms is zero
 ;; for all one can tell from flonums.

@@ -65,9 +65,10 @@
   result)
 
 (define-syntax-rule (RADII) 12)
-(define-syntax-rule (AZIMUTHS) 8)
 (define RADIUS-RULE : FlVector (smoothed (gauss-legendre (RADII))))
-(define AZIMUTH-RULE : FlVector (smoothed (gauss-legendre (AZIMUTHS))))
+(define AZIMUTH-RULE : FlVector (smoothed (gauss-legendre 8)))
+;; for total internal reflection, whose edges run across the azimuths
+(define FINE-AZIMUTH-RULE : FlVector (smoothed (gauss-legendre 16)))
 
 ;; average-over-cosine : 2 times the integral over [0, 1] of f(cosine) cosine, the mean over the
 ;; hemisphere by cosine; exact for polynomials of degree 62.
@@ -81,7 +82,7 @@
 ;; lost-energy : of the light along a direction of that cosine, the share that neither the
 ;; reflecting nor the refracting single-scattering model returns. eta: index of refraction of the
 ;; far side over that of the near side; 0 is a surface that reflects everything. Error below 2e-4
-;; where all is reflected and 6e-4 else: the visible normals are integrated in polar coordinates of
+;; where eta is 0 and 6e-4 else: the visible normals are integrated in polar coordinates of
 ;; their slope, in pieces between which the integrand is smooth.
 (: lost-energy (-> Flonum Flonum Flonum Flonum))
 (define (lost-energy cosine alpha eta)
@@ -91,13 +92,14 @@
   (define squared (fl/ (fl- (fl* (fl- 1.0 eta) (fl+ 1.0 eta)) (fl* cosine cosine)) (fl* sine sine)))
   (define turn
     (if (and (fl> squared 0.0) (fl< squared 1.0)) (flacos (flsqrt squared)) 0.0))
+  (define rule (if (and (fl> eta 0.0) (fl< eta 1.0)) FINE-AZIMUTH-RULE AZIMUTH-RULE))
   (define (between [from : Flonum] [to : Flonum]) : Flonum
     (let loop ([k : Fixnum 0] [sum : Flonum 0.0])
       (cond
-        [(and (fx< k (AZIMUTHS)) (fl< from to))
-         (define azimuth (fl+ from (fl* (fl- to from) (flvector-ref AZIMUTH-RULE (fx* 2 k)))))
-         (loop (fx+ k 1)
-               (fl+ sum (fl* (flvector-ref AZIMUTH-RULE (fx+ 1 (fx* 2 k)))
+        [(and (fx< k (flvector-length rule)) (fl< from to))
+         (define azimuth (fl+ from (fl* (fl- to from) (flvector-ref rule k))))
+         (loop (fx+ k 2)
+               (fl+ sum (fl* (flvector-ref rule (fx+ k 1))
                              (lost-along (flcos azimuth) sine cosine alpha eta))))]
         [else (fl* sum (fl/ (fl- to from) (fl* 2.0 half-pi)))])))
   (fl+ (fl+ (between 0.0 turn) (between turn half-pi))
@@ -197,7 +199,7 @@
                (fl+ sum (fl* (flvector-ref RADIUS-RULE (fx+ 1 (fx* 2 k))) (fl* density lost)))))]
       [else (fl* sum (fl- to from))])))
 
-;; single-scattering-losses : lost-energy at all nodes, by quadrature: about 10 ms.
+;; single-scattering-losses : lost-energy at all nodes, by quadrature: 10 to 30 ms.
 (: single-scattering-losses (-> Flonum Flonum FlVector))
 (define (single-scattering-losses alpha eta)
   (define column (make-flvector (+ 1 (CELLS))))

@@ -2,12 +2,30 @@
 ;; The kernel and the material of any shape: the one place that lists them all.
 (require "shape.rkt" "kernel.rkt" "sphere.rkt" "cylinder.rkt" "cone.rkt" "torus.rkt"
          "plane.rkt" "disk.rkt" "quad.rkt" "triangle.rkt" "box.rkt" "mesh.rkt"
-         "../material/material.rkt" "../base/check.rkt")
+         "composite.rkt" "instance.rkt" "group.rkt"
+         "../material/material.rkt" "../base/check.rkt" "../base/float3.rkt")
 
-(provide Shape-kernel Shape-material)
+(provide Shape-kernel Shape-compiler Shape-material)
 
+;; The kernel of a shape by itself.
 (: Shape-kernel (-> Shape ShapeKernel))
-(define (Shape-kernel shape)
+(define (Shape-kernel shape) ((Shape-compiler (lambda (material) -1)) shape))
+
+;; A procedure from shapes to their kernels, each made once however often it is a part of others.
+;; number: the index by which the parts of a composite name their materials.
+(: Shape-compiler (-> NumberMaterial CompileShape))
+(define (Shape-compiler number)
+  (define known : (HashTable Shape ShapeKernel) (make-hasheq))
+  (: compile CompileShape)
+  (define (compile shape)
+    (or (hash-ref known shape (lambda () #f))
+        (let ([kernel (new-kernel shape compile number)])
+          (hash-set! known shape kernel)
+          kernel)))
+  compile)
+
+(: new-kernel (-> Shape CompileShape NumberMaterial ShapeKernel))
+(define (new-kernel shape compile number)
   (cond
     [(Sphere? shape) (Sphere-kernel shape)]
     [(Plane? shape) (Plane-kernel shape)]
@@ -19,8 +37,11 @@
     [(Cone? shape) (Cone-kernel shape)]
     [(Torus? shape) (Torus-kernel shape)]
     [(Mesh? shape) (Mesh-kernel shape)]
+    [(Instance? shape) (Instance-kernel shape compile number)]
+    [(Group? shape) (Group-kernel shape compile number Shape-material)]
     [else (raise-expected 'World "shapes" "shapes of this library" shape)]))
 
+;; The material of a shape; of a composite, that of its first part.
 (: Shape-material (-> Shape Material))
 (define (Shape-material shape)
   (cond
@@ -34,4 +55,9 @@
     [(Cone? shape) (Cone-material shape)]
     [(Torus? shape) (Torus-material shape)]
     [(Mesh? shape) (Mesh-material shape)]
+    [(Instance? shape) (or (Instance-material shape) (Shape-material (Instance-shape shape)))]
+    [(Group? shape)
+     (if (pair? (Group-shapes shape))
+         (Shape-material (car (Group-shapes shape)))
+         (->material (make-Float3 0.5 0.5 0.5)))]
     [else (raise-expected 'World "shapes" "shapes of this library" shape)]))

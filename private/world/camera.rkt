@@ -89,9 +89,13 @@
 
 ;; From the eye through the image plane at (x, y), both from 0 to 1, x from the left, y from the
 ;; top; not normalized.
-(define-syntax-rule (through-plane forward right up x y)
-  (Float3-multiply-add (Float3-multiply-add forward (fl- (fl* 2.0 x) 1.0) right)
-                       (fl- 1.0 (fl* 2.0 y)) up))
+(define-float3-operation
+  (through-plane [(fx fy fz) : Float3] [(rx ry rz) : Float3] [(ux uy uz) : Float3]
+                 [x : Flonum] [y : Flonum])
+  #:let ([a (fl- (fl* 2.0 x) 1.0)] [b (fl- 1.0 (fl* 2.0 y))])
+  : Float3 ((fl+ fx (fl+ (fl* a rx) (fl* b ux)))
+            (fl+ fy (fl+ (fl* a ry) (fl* b uy)))
+            (fl+ fz (fl+ (fl* a rz) (fl* b uz)))))
 
 ;; The unit direction from the eye through (x, y) of the image plane, from 0 at the left and top
 ;; to 1 at the right and bottom.
@@ -121,16 +125,20 @@
   (define focus-scale (fl/ (Camera-focus-distance camera) (Float3-length forward)))
   (define x-scale (fl/ 1.0 (fx->fl width)))
   (define y-scale (fl/ 1.0 (fx->fl height)))
-  (define-syntax-rule (plane-direction r)
-    (through-plane forward right up
-                   (fl* x-scale (flvector-ref r film-x)) (fl* y-scale (flvector-ref r film-y))))
   (if (fl= lens-radius 0.0)
       (lambda ([r : FlVector] [i : FxVector])
         (Float3-put! r ray-origin eye)
-        (Float3-put! r ray-direction (Float3-normalized (plane-direction r))))
+        (Float3-put! r ray-direction
+                     (Float3-normalized
+                      (through-plane forward right up
+                                     (fl* x-scale (flvector-ref r film-x))
+                                     (fl* y-scale (flvector-ref r film-y))))))
       (lambda ([r : FlVector] [i : FxVector])
         (sample-next-pair! r i)
-        (let-float3 ([disk (warp-disk (flvector-ref r sample-u) (flvector-ref r sample-v))]
+        (let-float3 ([ahead (through-plane forward right up
+                                           (fl* x-scale (flvector-ref r film-x))
+                                           (fl* y-scale (flvector-ref r film-y)))]
+                     [disk (warp-disk (flvector-ref r sample-u) (flvector-ref r sample-v))]
                      [aside (Float3-add
                              (Float3-scale-by-scalar unit-right
                                                      (fl* lens-radius (Float3-x disk)))
@@ -139,5 +147,5 @@
           (Float3-put! r ray-origin (Float3-add eye aside))
           (Float3-put! r ray-direction
                        (Float3-normalized
-                        (Float3-subtract (Float3-scale-by-scalar (plane-direction r) focus-scale)
+                        (Float3-subtract (Float3-scale-by-scalar ahead focus-scale)
                                          aside)))))))

@@ -19,6 +19,9 @@
 
 (define-syntax-rule (LEAF-SIZE) 4)
 (define-syntax-rule (BINS) 16)
+;; a node is cut into fewer bins than that when it has fewer boxes
+(define-syntax-rule (bins-for size)
+  (if (fx> size 12) (BINS) (if (fx> size 5) 8 4)))
 ;; below this depth splits halve the count, so no input makes a deep tree
 (define-syntax-rule (BALANCED-DEPTH) 40)
 ;; the cost of visiting a node, in primitive intersections
@@ -92,37 +95,37 @@
         (loop (fx+ k 1)))))
 
   ;; Bins a unit of centroid, or 0 where the centroids agree or the extent is not usable.
-  (: bin-scale (-> Fixnum Flonum))
-  (define (bin-scale axis)
+  (: bin-scale (-> Fixnum Fixnum Flonum))
+  (define (bin-scale axis bins)
     (define extent (fl- (flvector-ref centroids (fx+ 3 axis)) (flvector-ref centroids axis)))
-    (define scale (fl/ (fx->fl (BINS)) extent))
+    (define scale (fl/ (fx->fl bins) extent))
     (if (and (fl> extent 0.0) (fl< scale +inf.0) (fl> scale 0.0)) scale 0.0))
 
-  (define-syntax-rule (bin-of box axis scale)
+  (define-syntax-rule (bin-of box axis scale bins)
     (let ([bin (fl->fx (fl* (fl- (centroid boxes box axis) (flvector-ref centroids axis)) scale))])
-      (if (fx< bin (BINS)) bin (fx- (BINS) 1))))
+      (if (fx< bin bins) bin (fx- bins 1))))
 
-  (: fill-bins! (-> Fixnum Fixnum Fixnum Flonum Void))
-  (define (fill-bins! axis first last scale)
+  (: fill-bins! (-> Fixnum Fixnum Fixnum Flonum Fixnum Void))
+  (define (fill-bins! axis first last scale bins)
     (let clear ([bin : Fixnum 0])
-      (when (fx< bin (BINS))
+      (when (fx< bin bins)
         (fxvector-set! bin-counts (fx+ (fx* axis (BINS)) bin) 0)
         (set-empty! bin-boxes (fx* 6 (fx+ (fx* axis (BINS)) bin)))
         (clear (fx+ bin 1))))
     (let loop ([k first])
       (when (fx< k last)
         (let* ([box (fxvector-ref order k)]
-               [bin (fx+ (fx* axis (BINS)) (bin-of box axis scale))])
+               [bin (fx+ (fx* axis (BINS)) (bin-of box axis scale bins))])
           (fxvector-set! bin-counts bin (fx+ 1 (fxvector-ref bin-counts bin)))
           (grow! bin-boxes (fx* 6 bin) boxes (fx* 6 box)))
         (loop (fx+ k 1)))))
 
   ;; The cheapest split of one axis as (place after which to split, area-weighted count).
-  (: cheapest-split (-> Fixnum (Values Fixnum Flonum)))
-  (define (cheapest-split axis)
+  (: cheapest-split (-> Fixnum Fixnum (Values Fixnum Flonum)))
+  (define (cheapest-split axis bins)
     (define start (fx* axis (BINS)))
     (set-empty! sweep 0)
-    (let right ([bin (fx- (BINS) 1)] [count : Fixnum 0])
+    (let right ([bin (fx- bins 1)] [count : Fixnum 0])
       (when (fx> bin 0)
         (grow! sweep 0 bin-boxes (fx* 6 (fx+ start bin)))
         (let ([count (fx+ count (fxvector-ref bin-counts (fx+ start bin)))])
@@ -131,7 +134,7 @@
           (right (fx- bin 1) count))))
     (set-empty! sweep 0)
     (let left ([bin : Fixnum 0] [count : Fixnum 0] [best : Fixnum -1] [best-cost : Flonum +inf.0])
-      (if (fx= bin (fx- (BINS) 1))
+      (if (fx= bin (fx- bins 1))
           (values best best-cost)
           (begin
             (grow! sweep 0 bin-boxes (fx* 6 (fx+ start bin)))
@@ -145,14 +148,14 @@
                   (left (fx+ bin 1) count best best-cost)))))))
 
   ;; Brings boxes of bins up to `split` to the front; the place of the first other one.
-  (: partition! (-> Fixnum Fixnum Fixnum Flonum Fixnum Fixnum))
-  (define (partition! axis first last scale split)
+  (: partition! (-> Fixnum Fixnum Fixnum Flonum Fixnum Fixnum Fixnum))
+  (define (partition! axis first last scale bins split)
     (let loop ([low first] [high (fx- last 1)])
       (if (fx> low high)
           low
           (let ([box (fxvector-ref order low)])
             (cond
-              [(fx<= (bin-of box axis scale) split) (loop (fx+ low 1) high)]
+              [(fx<= (bin-of box axis scale bins) split) (loop (fx+ low 1) high)]
               [else
                (fxvector-set! order low (fxvector-ref order high))
                (fxvector-set! order high box)
@@ -160,14 +163,15 @@
 
   (: best-split (-> Fixnum Fixnum (Values Fixnum Fixnum Flonum)))
   (define (best-split first last)
+    (define bins (bins-for (fx- last first)))
     (for/fold ([best-axis : Fixnum -1] [best-bin : Fixnum -1] [best-cost : Flonum +inf.0])
               ([axis : Nonnegative-Fixnum (in-range 3)])
-      (define scale (bin-scale axis))
+      (define scale (bin-scale axis bins))
       (cond
         [(fl= scale 0.0) (values best-axis best-bin best-cost)]
         [else
-         (fill-bins! axis first last scale)
-         (define-values (bin cost) (cheapest-split axis))
+         (fill-bins! axis first last scale bins)
+         (define-values (bin cost) (cheapest-split axis bins))
          (if (fl< cost best-cost) (values axis bin cost) (values best-axis best-bin best-cost))])))
 
   ;; Builds the node over places first .. last-1; the number of nodes used and the depth.
@@ -194,7 +198,8 @@
          [(and (fx<= size (LEAF-SIZE)) (not (fl< (fl+ cost (fl* (VISIT-COST) area)) leaf-cost)))
           (leaf!)]
          [(and (fx>= axis 0) (fl< cost +inf.0))
-          (split! axis (partition! axis first last (bin-scale axis) bin))]
+          (let ([bins (bins-for size)])
+            (split! axis (partition! axis first last (bin-scale axis bins) bins bin)))]
          ;; all centroids agree, or areas are beyond the numbers: halve by place
          [else (split! 0 (fxrshift (fx+ first last) 1))])]))
 

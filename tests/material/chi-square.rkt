@@ -76,7 +76,7 @@
   (for/fold ([sum 0.0]) ([part (in-flvector (bin-integrals density theta-bins phi-bins))])
     (+ sum part)))
 
-;; A product Gauss rule of 4 x 4 points, halved both ways until it changes by less than 1e-10, at
+;; A product Gauss rule of 4 x 4 points, halved both ways until it changes by less than 1e-9, at
 ;; most 8 times.
 (define (adaptive density theta0 theta1 phi0 phi1)
   (let refine ([a theta0] [b theta1] [c phi0] [d phi1]
@@ -88,7 +88,7 @@
     (define q3 (gauss density m b c n))
     (define q4 (gauss density m b n d))
     (define fine (+ (+ q1 q2) (+ q3 q4)))
-    (if (or (zero? left) (< (abs (- fine coarse)) 1e-10))
+    (if (or (zero? left) (< (abs (- fine coarse)) 1e-9))
         fine
         (+ (+ (refine a m c n q1 (- left 1)) (refine a m n d q2 (- left 1)))
            (+ (refine m b c n q3 (- left 1)) (refine m b n d q4 (- left 1)))))))

@@ -56,9 +56,7 @@
       (define coat (Fresnel-dielectric/function (cosine degrees) 1.5))
       (define probability (/ coat (albedo-of 0.8 1.5 degrees)))
       (define density
-        (density-integral (lambda (x y z)
-                            (evaluate! b (from-local NORMAL x y z))
-                            (sampled-density b))))
+        (density-integral (lambda (x y z) (local-density b x y z))))
       (check-= (+ density probability) 1.0 1e-6)))
 
   (test-case "reciprocity" (check-reciprocity b 200))

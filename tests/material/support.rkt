@@ -7,8 +7,8 @@
          "../../private/material/kernel.rkt" "../../private/material/kernels.rkt")
 
 (provide make-bench bench-kernel face! draw! evaluate! sampled-direction sampled-weight
-         sampled-density specular-sample? dot unit reflected direction-at to-local from-local
-         NORMAL INCIDENCES close?)
+         sampled-density specular-sample? dot unit reflected direction-at to-local local-density
+         local-value NORMAL INCIDENCES close?)
 
 (: unit (-> Flonum Flonum Flonum FlVector))
 (define (unit x y z)
@@ -121,3 +121,13 @@
 (define (close? v expected tolerance)
   (for/and : Boolean ([x (in-flvector v)] [e (in-list expected)])
     (<= (abs (- x e)) tolerance)))
+
+;; Density, and a component of value times cosine, for local coordinates around NORMAL.
+(: local-density (-> bench Flonum Flonum Flonum Flonum))
+(define (local-density b x y z)
+  (evaluate! b (from-local NORMAL x y z))
+  (sampled-density b))
+(: local-value (-> bench Fixnum Flonum Flonum Flonum Flonum))
+(define (local-value b component x y z)
+  (evaluate! b (from-local NORMAL x y z))
+  (flvector-ref (bench-r b) (fx+ bsdf-weight component)))

@@ -110,7 +110,7 @@
             [(< (uniform) 0.5) l]
             [else h])))
 
-  (test-case "10^5 rays aimed at edges and corners from inside and outside: all hit a point of the box"
+  (test-case "10^5 rays aimed at edges and corners from inside and outside, 0 leaks"
     (define uniform (make-random 43))
     (for* ([offset '(0.0 1e3 1e6)] [unit? '(#f #t)] [from '(0.9 3.0 100.0)])
       (define low (placed (list (scale 0.5 (random-unit uniform))) 1.0 (- offset 2.0)))

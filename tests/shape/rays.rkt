@@ -3,9 +3,9 @@
 (require "../../private/base/unsafe.rkt" "../../private/base/registers.rkt"
          "../../private/base/float3.rkt" "../../private/shape/shape.rkt"
          "../../private/shape/kernel.rkt" "../../private/shape/kernels.rkt"
-         "../../private/shape/mesh.rkt")
+         "../../private/shape/mesh.rkt" "../../private/material/material.rkt")
 
-(provide shoot shoot-by-scan shoot-occluded shoot-surface hit-count leave-count)
+(provide shoot shoot-by-scan shoot-occluded shoot-surface shoot-material hit-count leave-count)
 
 ;; The parameter of the nearest hit of each ray, infinite for none, then the number in the first
 ;; place of its path, -1 for none: two numbers a ray.
@@ -34,7 +34,17 @@
           (flvector-set! result (fx* 2 k) (flvector-ref r hit-t))
           (flvector-set! result (fx+ 1 (fx* 2 k)) (fx->fl (fxvector-ref i hit-path)))]
          [else (flvector-set! result (fx+ 1 (fx* 2 k)) -1.0)])
+       (check-as-before r i rays k)
        (loop (fx+ k 1))])))
+
+;; Whatever was entered on the way, the ray and the levels must be left as they were.
+(: check-as-before (-> FlVector FxVector FlVector Fixnum Void))
+(define (check-as-before r i rays k)
+  (unless (and (fx= 0 (fxvector-ref i nest-level))
+               (fx= 0 (fxvector-ref i stack-base))
+               (for/and : Boolean ([j : Nonnegative-Fixnum (in-range 6)])
+                 (eqv? (flvector-ref rays (fx+ (fx* 6 k) j)) (flvector-ref r (fx+ ray-origin j)))))
+    (error 'shoot "the kernel left the ray or the levels changed, ray ~a" k)))
 
 ;; How many rays the any-hit kernel calls occluded; how many have a nearest hit.
 (: shoot-occluded (->* (Shape FlVector) (Flonum) Fixnum))
@@ -54,7 +64,9 @@
       [(fx= k count) found]
       [else
        (put-ray! r rays k limit)
-       (loop (fx+ k 1) (if (kernel r i) (fx+ found 1) found))])))
+       (let ([found (if (kernel r i) (fx+ found 1) found)])
+         (check-as-before r i rays k)
+         (loop (fx+ k 1) found))])))
 
 (: put-ray! (-> FlVector FlVector Fixnum Flonum Void))
 (define (put-ray! r rays k limit)
@@ -86,6 +98,22 @@
                                      surface-uv (+ 1 surface-uv) surface-error)])
                (flvector-ref r place)))]
     [else #f]))
+
+;; The number of the material where one ray meets the shape: as `number` says for a composite's
+;; parts, -2 where the shape left it to its owner, #f for no hit.
+(: shoot-material (-> Shape Float3 Float3 (-> Material Fixnum) (U #f Fixnum)))
+(define (shoot-material shape origin direction number)
+  (define kernel ((Shape-compiler number) shape))
+  (define r (make-flonum-registers))
+  (define i (make-fixnum-registers))
+  (Float3-put! r ray-origin origin)
+  (Float3-put! r ray-direction direction)
+  (flvector-set! r ray-limit +inf.0)
+  (fxvector-set! i hit-material -2)
+  (and ((ShapeKernel-nearest kernel) r i)
+       (begin
+         ((ShapeKernel-surface kernel) r i)
+         (fxvector-ref i hit-material))))
 
 ;; How many of the rays that hit a shape hit it again when they go on from there, outwards: the
 ;; direction turned to the normal's side, the origin off the surface by its error bound.
