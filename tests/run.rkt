@@ -1,5 +1,5 @@
 #lang racket/base
-;; Runs the test files under this folder, two at a time or as many as there are processors, each in a
+;; Runs the test files under this folder, as many at a time as there are processors, each in a
 ;; process of its own, and ends with the line `N passed, N failed`.
 ;;   racket tests/run.rkt              all of them
 ;;   racket tests/run.rkt tests/image  those in folders or files

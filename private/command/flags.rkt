@@ -43,13 +43,15 @@
                  ("Another seed gives another noise; by default the scene's, else 0" "n")]
      [("--integrator") ,(name-flag 'integrator)
                        (("What a pixel shows:"
-                         "auto, seed, ambient-occlusion, normals or depth")
+                         "auto, path, seed, ambient-occlusion, normals or depth")
                         "name")]
+     [("--max-depth") ,(count-flag 'max-depth check-max-depth)
+                      ("Bounces of a path; by default the scene's, else without limit" "n")]
      [("--crop") ,(text-flag 'crop)
                  ("Render only this part of the picture" "X,Y,W,H")])
     (help-labels "" "These change how fast the picture comes, and not one bit of it:" "")
     (once-each
-     [("--schedule") ,(name-flag 'schedule) ("sequential or futures (the default)" "name")]
+     [("--schedule") ,(name-flag 'schedule) ("sequential, futures (the default) or places" "name")]
      [("--workers") ,(count-flag 'workers check-workers)
                     ("How many at a time; by default one for each processor" "n")]
      [("--tile") ,(count-flag 'tile check-tile)

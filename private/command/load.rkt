@@ -35,9 +35,10 @@
      (raise-user-error (format "~a: expected `~a` to be ~a, found ~e"
                                word name expected value))]))
 
-;; settings: a hash with any of the keys 'size (list width height), 'samples, 'seed, 'integrator.
+;; settings: a hash with any of the keys 'size (list width height), 'samples, 'seed, 'integrator,
+;; 'max-depth.
 (define (check-settings word settings)
-  (define expected "a hash with keys among 'size, 'samples, 'seed and 'integrator")
+  (define expected "a hash with keys among 'size, 'samples, 'seed, 'integrator and 'max-depth")
   (unless (hash? settings)
     (raise-user-error (format "~a: expected `settings` to be ~a, found ~e" word expected settings)))
   (for ([(key value) (in-hash settings)])
@@ -47,6 +48,7 @@
       [(size) (check-size what given value)]
       [(samples) (check-samples what given value)]
       [(seed) (check-seed what given value)]
+      [(max-depth) (check-max-depth what given value)]
       [(integrator) (unless (symbol? value) (unexpected what given "a symbol"))]
       [else (unexpected (format "~a: settings" word) (format "~e" key) expected)]))
   settings)

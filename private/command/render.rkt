@@ -38,6 +38,7 @@
          (parameterize ([current-output-port (current-error-port)])
            (render/statistics world camera #:width (car size) #:height (cadr size)
                               #:samples samples #:seed seed #:crop crop #:integrator integrator
+                              #:max-depth (option 'max-depth #f)
                               #:schedule schedule #:workers workers #:tile (option 'tile 16)
                               #:watch watch))))))
   (Image-write image output)

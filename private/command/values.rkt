@@ -1,8 +1,8 @@
 #lang racket/base
 ;; What may be asked of a render, by a flag or by a scene's settings: each check returns the value
 ;; or raises one line that says what it was for, what was given and what is expected.
-(provide check-size check-samples check-seed check-workers check-tile check-crop check-name
-         unexpected text->natural text->naturals)
+(provide check-size check-samples check-seed check-workers check-tile check-max-depth
+         check-crop check-name unexpected text->natural text->naturals)
 
 (define LONGEST-SIDE 100000)
 (define MOST-PIXELS (expt 2 28))
@@ -28,6 +28,7 @@
 (define check-seed (check-count 0 #xFFFFFFFF))
 (define check-workers (check-count 1 1024))
 (define check-tile (check-count 1 LONGEST-SIDE))
+(define check-max-depth (check-count 0 1000000000))
 
 ;; check-crop : (list x y width height) from text like "0,0,16,16", a part of the size, or #f for all
 ;; of it where text is #f. What is to be rendered must fit into memory.

@@ -5,7 +5,8 @@
          "../base/transform.rkt" "../base/public.rkt" "../material/material.rkt"
          "kernel.rkt" "shape.rkt" "composite.rkt")
 
-(provide (struct-out Instance) make-Instance Instance-kernel matrix-growth local-rounding-factor)
+(provide (struct-out Instance) make-Instance Instance-kernel
+         matrix-growth largest-row-sum missed-by-inverse)
 
 ;; shape: what is shown, made in a space of its own. transform: from there to here. material:
 ;; instead of the shape's own, or #f.
@@ -82,20 +83,29 @@
 (: local-rounding-factor (-> FlVector FlVector Flonum))
 (define (local-rounding-factor matrix inverse)
   (define growth (matrix-growth matrix))
-  (define unit (matrix-product inverse matrix))
-  (define missed
-    (for/fold ([largest : Flonum 0.0]) ([row : Nonnegative-Fixnum (in-range 3)])
-      (flmax largest
-             (for/fold ([sum : Flonum 0.0]) ([column : Nonnegative-Fixnum (in-range 3)])
-               (fl+ sum (flabs (fl- (flvector-ref unit (fx+ column (fx* 4 row)))
-                                    (if (fx= row column) 1.0 0.0))))))))
-  (define out (largest-row-sum matrix))
-  (define in (fl* growth (fl* out (largest-row-sum inverse))))
-  (fl+ (fl* growth missed) (fl* (fl* 8.0 (ROUNDING)) (fl+ out in))))
+  (define out (largest-row-sum matrix 0))
+  (define in (fl* growth (fl* out (largest-row-sum inverse 0))))
+  (fl+ (fl* growth (missed-by-inverse matrix 0 inverse 0))
+       (fl* (fl* 8.0 (ROUNDING)) (fl+ out in))))
 
-(: largest-row-sum (-> FlVector Flonum))
-(define (largest-row-sum m)
+;; The largest sum of magnitudes along a row of the matrix at a place.
+(: largest-row-sum (-> FlVector Fixnum Flonum))
+(define (largest-row-sum m at)
   (for/fold ([largest : Flonum 0.0]) ([row : Nonnegative-Fixnum (in-range 3)])
     (flmax largest
            (for/fold ([sum : Flonum 0.0]) ([column : Nonnegative-Fixnum (in-range 3)])
-             (fl+ sum (flabs (flvector-ref m (fx+ column (fx* 4 row)))))))))
+             (fl+ sum (flabs (flvector-ref m (fx+ at (fx+ column (fx* 4 row))))))))))
+
+;; The same of inverse times matrix minus the identity.
+(: missed-by-inverse (-> FlVector Fixnum FlVector Fixnum Flonum))
+(define (missed-by-inverse matrix m inverse n)
+  (for/fold ([largest : Flonum 0.0]) ([row : Nonnegative-Fixnum (in-range 3)])
+    (flmax largest
+           (for/fold ([sum : Flonum 0.0]) ([column : Nonnegative-Fixnum (in-range 3)])
+             (fl+ sum
+                  (flabs
+                   (for/fold ([rest : Flonum (if (fx= row column) -1.0 0.0)])
+                             ([k : Nonnegative-Fixnum (in-range 3)])
+                     (fl+ rest
+                          (fl* (flvector-ref inverse (fx+ n (fx+ k (fx* 4 row))))
+                               (flvector-ref matrix (fx+ m (fx+ column (fx* 4 k)))))))))))))

@@ -2,7 +2,7 @@
 ;; The kernel and the material of any shape: the one place that lists them all.
 (require "shape.rkt" "kernel.rkt" "sphere.rkt" "cylinder.rkt" "cone.rkt" "torus.rkt"
          "plane.rkt" "disk.rkt" "quad.rkt" "triangle.rkt" "box.rkt" "mesh.rkt"
-         "composite.rkt" "instance.rkt" "group.rkt"
+         "composite.rkt" "instance.rkt" "moving.rkt" "group.rkt"
          "../material/material.rkt" "../base/check.rkt" "../base/float3.rkt")
 
 (provide Shape-kernel Shape-compiler Shape-material)
@@ -38,6 +38,7 @@
     [(Torus? shape) (Torus-kernel shape)]
     [(Mesh? shape) (Mesh-kernel shape)]
     [(Instance? shape) (Instance-kernel shape compile number)]
+    [(Moving? shape) (Moving-kernel shape compile)]
     [(Group? shape) (Group-kernel shape compile number Shape-material)]
     [else (raise-expected 'World "shapes" "shapes of this library" shape)]))
 
@@ -56,6 +57,7 @@
     [(Torus? shape) (Torus-material shape)]
     [(Mesh? shape) (Mesh-material shape)]
     [(Instance? shape) (or (Instance-material shape) (Shape-material (Instance-shape shape)))]
+    [(Moving? shape) (Shape-material (Moving-shape shape))]
     [(Group? shape)
      (if (pair? (Group-shapes shape))
          (Shape-material (car (Group-shapes shape)))

@@ -2,9 +2,11 @@
 ;; The command as a process: exit codes, one line for whatever is wrong, interrupts, and what is
 ;; loaded before it is needed.
 (module+ test
-  (require racket/port racket/string rackunit "support.rkt")
+  (require racket/port racket/string rackunit "support.rkt"
+           "../../private/integrate/integrators.rkt" "../../private/render/render.rkt")
 
   (define count-expected "expected a whole number from 1 to 1000000000")
+  (define (listed names) (string-join (map symbol->string names) ", "))
   (define size-expected "expected WIDTHxHEIGHT, two whole numbers from 1 to 100000")
 
   ;; flags
@@ -34,9 +36,9 @@
      (refused (format "none/a.ppm: cannot be written (there is no folder ~anone/)"
                       (path->directory-path folder))
               "good.rkt" "-o" "none/a.ppm")
-     (refused "--integrator what: expected one of auto, seed, ambient-occlusion, normals, depth"
+     (refused (string-append "--integrator what: expected one of " (listed INTEGRATORS))
               "good.rkt" "--integrator" "what")
-     (refused "--schedule what: expected one of sequential, futures"
+     (refused (string-append "--schedule what: expected one of " (listed SCHEDULES))
               "good.rkt" "--schedule" "what")
      (refused (string-append "--crop 0,0,65,1: expected X,Y,WIDTH,HEIGHT, four whole numbers that"
                              " tell a part of 64x36")

@@ -47,6 +47,7 @@
      (for ([tile (in-list '(1 5 64 1000))])
        (check-equal? (rendered-sum 'tile tile) (car sums)))
      (check-equal? (rendered-sum 'schedule 'sequential 'tile 7) (car sums))
+     (check-equal? (rendered-sum 'schedule 'places 'workers 2) (car sums))
      ;; what must change the picture does
      (check-not-equal? (rendered-sum 'seed 1) (car sums))
      (check-not-equal? (rendered-sum 'integrator 'normals) (car sums))

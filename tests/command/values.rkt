@@ -15,7 +15,8 @@
   (check-equal? (text->naturals "1,2,,x" #rx",") '(1 2 #f #f))
 
   (for ([row (in-list (list (list check-samples 1 1000000000) (list check-seed 0 4294967295)
-                            (list check-workers 1 1024) (list check-tile 1 100000)))])
+                            (list check-workers 1 1024) (list check-tile 1 100000)
+                            (list check-max-depth 0 1000000000)))])
     (define-values (check low high) (apply values row))
     (define expected (format "expected a whole number from ~a to ~a" low high))
     (check-equal? (list (check "f" "t" low) (check "f" "t" high)) (list low high))

@@ -40,5 +40,5 @@
 
   (test-case "bad tints"
     (for ([bad (list (make-Float3 1.1 0 0) (make-Float3 -0.1 0 0) (make-Float3 +nan.0 0 0))])
-      (check-exn #rx"^Mirror: expected a .*color as color" (lambda () (make-Mirror bad)))
+      (check-exn #rx"^Mirror: expected a colour .* as color" (lambda () (make-Mirror bad)))
       (check-exn #rx"^Metal: .* as albedo" (lambda () (make-Metal bad))))))

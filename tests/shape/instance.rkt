@@ -208,7 +208,8 @@
       ;; distance from the plane of the exactly transformed triangle
       (define rows (map (lambda (row) (map inexact->exact row)) (Transform-matrix-rows transform)))
       (define (image p)
-        (for/list ([row rows]) (+ (apply + (map * (take row 3) (map inexact->exact p))) (cadddr row))))
+        (for/list ([row rows])
+          (+ (apply + (map * (take row 3) (map inexact->exact p))) (cadddr row))))
       (define vertices (mesh-vertices mesh))
       (define point (map inexact->exact (surface-point surface)))
       (define distances
@@ -216,7 +217,8 @@
           (define-values (a b c)
             (apply values
                    (for/list ([j 3])
-                     (image (vector-ref vertices (fxvector-ref (Mesh-triangles mesh) (+ j (* 3 k))))))))
+                     (define vertex (fxvector-ref (Mesh-triangles mesh) (+ j (* 3 k))))
+                     (image (vector-ref vertices vertex)))))
           (define-values (u v) (values (map - b a) (map - c a)))
           (define across
             (list (- (* (second u) (third v)) (* (third u) (second v)))
@@ -262,6 +264,7 @@
                   (values (map (lambda (x c) (* size (- c (* 6.0 x)))) d '(3.0 0.0 1.0)) d))))
     (define size (expt 2.0 30))
     (define-values (one two)
-      (values (results-t (shoot (scene 1.0) (shot 1.0))) (results-t (shoot (scene size) (shot size)))))
+      (values (results-t (shoot (scene 1.0) (shot 1.0)))
+              (results-t (shoot (scene size) (shot size)))))
     (check-true (> (count (lambda (t) (< t +inf.0)) one) 400))
     (check-equal? (map (lambda (t) (* size t)) one) two)))

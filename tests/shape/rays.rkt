@@ -28,7 +28,7 @@
     (cond
       [(fx= k count) result]
       [else
-       (put-ray! r rays k limit)
+       (put-ray! r i rays k limit)
        (cond
          [(nearest r i)
           (flvector-set! result (fx* 2 k) (flvector-ref r hit-t))
@@ -63,13 +63,14 @@
     (cond
       [(fx= k count) found]
       [else
-       (put-ray! r rays k limit)
+       (put-ray! r i rays k limit)
        (let ([found (if (kernel r i) (fx+ found 1) found)])
          (check-as-before r i rays k)
          (loop (fx+ k 1) found))])))
 
-(: put-ray! (-> FlVector FlVector Fixnum Flonum Void))
-(define (put-ray! r rays k limit)
+(: put-ray! (-> FlVector FxVector FlVector Fixnum Flonum Void))
+(define (put-ray! r i rays k limit)
+  (fxvector-set! i accept-ties 0)
   (Float3-put! r ray-origin (Float3-in rays (fx* 6 k)))
   (Float3-put! r ray-direction (Float3-in rays (fx+ 3 (fx* 6 k))))
   (flvector-set! r ray-limit limit))
@@ -129,7 +130,7 @@
     (cond
       [(fx= k count) again]
       [else
-       (put-ray! r rays k +inf.0)
+       (put-ray! r i rays k +inf.0)
        (cond
          [(nearest r i)
           (surface r i)

