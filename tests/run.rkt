@@ -4,8 +4,8 @@
 ;;   racket tests/run.rkt              all of them
 ;;   racket tests/run.rkt tests/image  those in folders or files
 (module+ main
-  (require compiler/find-exe racket/cmdline racket/file racket/future racket/list racket/path racket/port
-           rackunit/log)
+  (require compiler/find-exe racket/cmdline racket/file racket/future racket/list racket/path
+           racket/port rackunit/log)
 
   (define FILE-SECONDS 600)
 

@@ -22,7 +22,7 @@
 
   ;; precision: the standard error these samples must reach, as a part of the value.
   (define-syntax-rule (case-is name expected argument ...)
-    (test-case name (check-mean name (estimates argument ...) expected 2e-3)))
+    (test-case name (check-mean name (estimates argument ...) expected 5e-3)))
 
   (define floor (make-Plane (Float3 0 0 0) y-axis))
   (define (sphere-at height) (Sphere (Float3 0 height 0) 1))

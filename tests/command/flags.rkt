@@ -9,12 +9,14 @@
     (cons scene (sort (hash->list options) symbol<? #:key car)))
 
   (check-equal? (parse "a.rkt") '("a.rkt"))
-  (define all '("a.rkt" (crop . "0,0,8,8") (integrator . depth) (max-depth . 7) (output . "b.ppm") (quiet . #t)
-                        (samples . 4) (schedule . sequential) (seed . 0) (size . (64 36))
-                        (stats . #t) (stats-json . "s.json") (tile . 8) (workers . 3)))
+  (define all '("a.rkt" (crop . "0,0,8,8") (integrator . depth) (max-depth . 7)
+                        (output . "b.ppm") (quiet . #t) (samples . 4) (schedule . sequential)
+                        (seed . 0) (size . (64 36)) (stats . #t) (stats-json . "s.json")
+                        (tile . 8) (workers . 3)))
   (define flags '("-o" "b.ppm" "--size" "64x36" "--samples" "4" "--seed" "0" "--workers" "3"
                        "--schedule" "sequential" "--tile" "8" "--crop" "0,0,8,8"
-                       "--integrator" "depth" "--max-depth" "7" "--quiet" "--stats" "--stats-json" "s.json"))
+                       "--integrator" "depth" "--max-depth" "7" "--quiet" "--stats"
+                       "--stats-json" "s.json"))
   (check-equal? (apply parse "a.rkt" flags) all)
   (check-equal? (apply parse (append flags '("a.rkt"))) all)
   (check-equal? (apply parse (append (list "--output") (list "b.ppm") '("a.rkt") (list-tail flags 2)))
