@@ -196,7 +196,7 @@
 ;; pixel, with that many occlusion rays a hit (0 for none): linear RGB, laid out as an Image's
 ;; pixels.
 (: oracle-render (-> (Listof library:Sphere) library:DistantLight library:Float3 library:Camera
-                     Positive-Fixnum Positive-Fixnum Natural FlVector))
+                     Index Index Natural FlVector))
 (define (oracle-render spheres sun background camera width height ambient-samples)
   (define world
     (World (map convert-sphere spheres)
@@ -212,7 +212,7 @@
     (Float3-scale-by-scalar (Float3-normalized (convert (library:Camera-right camera)))
                             (* (Float3-length up) (/ (->fl width) (->fl height)))))
   (define film (make-flvector (* 3 width height)))
-  (for* ([y : Nonnegative-Fixnum (in-range height)] [x : Nonnegative-Fixnum (in-range width)])
+  (for* ([y (in-range height)] [x (in-range width)])
     (define across (- (* 2.0 (/ (+ (->fl x) 0.5) (->fl width))) 1.0))
     (define upwards (- 1.0 (* 2.0 (/ (+ (->fl y) 0.5) (->fl height)))))
     (define direction

@@ -10,7 +10,7 @@
 (: raise-expected (-> Symbol String String Any Nothing))
 (define (raise-expected who argument expected value)
   (raise (exn:fail:contract
-          (format "~a: expected ~a as ~a, given ~.100s" who expected argument value)
+          (format "~a: expected ~a as ~a, given ~.s" who expected argument value)
           (current-continuation-marks))))
 
 (: finite? (-> Flonum Boolean))

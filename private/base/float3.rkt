@@ -1,7 +1,7 @@
 #lang typed/racket/base
 ;; Operations on Float3: each is defined once, fuses in kernels (see fuse.rkt), and is the ordinary
 ;; function `name/function` that the public surface exports under the plain name.
-(require (for-syntax racket/base) "fuse.rkt" "unsafe.rkt" "public.rkt")
+(require (for-syntax racket/base) "fuse.rkt" "unsafe.rkt" "public.rkt" "check.rkt")
 
 (provide (rename-out [Float3/kernel Float3]
                      [Float3-x/kernel Float3-x] [Float3-y/kernel Float3-y]
@@ -130,7 +130,7 @@
 (define (Float3-normalized/checked v)
   (define largest (Float3-largest-magnitude v))
   (unless (and (fl> largest 0.0) (fl< largest +inf.0))
-    (raise-argument-error 'Float3-normalized "a finite vector other than zero" v))
+    (raise-expected 'Float3-normalized "vector" "a finite vector other than zero" v))
   ;; divided by the largest component first, so that squares neither overflow nor vanish
   (let-float3 ([scaled (Float3 (fl/ (Float3-x v) largest)
                                (fl/ (Float3-y v) largest)

@@ -7,7 +7,8 @@
 
 ;; From outside: uniform in the cone (Shirley, Wang, Zimmerman 1996), whose height 1 - cos is taken
 ;; as sin^2 / (1 + cos) so that distant small spheres keep their solid angle. From inside: uniform
-;; over the sphere's area, and dark unless the emitter is two-sided.
+;; over the sphere's area, and dark unless the emitter is two-sided. A point on the sphere, up to
+;; rounding, is outside: the light fills its hemisphere.
 (: Sphere-light-kernel (-> Sphere Emitter Fixnum LightKernel))
 (define (Sphere-light-kernel sphere emitter primitive)
   (define center (Sphere-point sphere))
@@ -15,7 +16,7 @@
   (define radiance (Emitter-radiance emitter))
   (define two-sided? (Emitter-two-sided? emitter))
   (define-syntax-rule (cone-height squared)
-    (let ([sine-squared (fl/ (fl* radius radius) squared)])
+    (let ([sine-squared (flmin 1.0 (fl/ (fl* radius radius) squared))])
       (fl/ sine-squared (fl+ 1.0 (flsqrt (fl- 1.0 sine-squared))))))
 
   (: sample (-> FlVector FxVector Void))
@@ -24,7 +25,7 @@
     (let-float3 ([to-center (Float3-subtract center (Float3-in r surface-point))])
       (let ([squared (Float3-length-squared to-center)])
         (cond
-          [(fl> squared r-squared)
+          [(fl> squared (fl* 0.999999999999 r-squared))
            (let ([height (cone-height squared)])
              (let-float3 ([axis (Float3-scale-by-scalar to-center (fl/ 1.0 (flsqrt squared)))]
                           [local (warp-cone (flvector-ref r sample-u) (flvector-ref r sample-v)
@@ -65,7 +66,7 @@
         (flvector-set!
          r light-density
          (cond
-           [(fl> squared r-squared) (fl/ 1.0 (fl* (TWO-PI) (cone-height squared)))]
+           [(fl> squared (fl* 0.999999999999 r-squared)) (fl/ 1.0 (fl* (TWO-PI) (cone-height squared)))]
            [two-sided?
             ;; distance along in-direction to the wall, and the cosine there
             (let-float3 ([d (Float3-in r in-direction)])

@@ -43,6 +43,7 @@
 (define (Box-kernel box)
   (define low (Box-low box))
   (define high (Box-high box))
+  (define bounds (Box-bounds box))
   (define error-bound
     (fl* (fl* 16.0 (ROUNDING))
          (flmax (Float3-largest-magnitude low) (Float3-largest-magnitude high))))
@@ -74,15 +75,19 @@
   (: surface (-> FlVector FxVector Void))
   (define (surface r i)
     (define face (fl->fx (flvector-ref r hit-u)))
+    (define axis (fxrshift face 1))
+    (define side (fxand face 1))
     (let-float3 ([lo low] [hi high]
                  [p (Float3-multiply-add (Float3-in r ray-origin) (flvector-ref r hit-t)
                                          (Float3-in r ray-direction))])
-      (let* ([x (on-box face 0 (Float3-x p) (Float3-x lo) (Float3-x hi))]
-             [y (on-box face 2 (Float3-y p) (Float3-y lo) (Float3-y hi))]
-             [z (on-box face 4 (Float3-z p) (Float3-z lo) (Float3-z hi))])
-        (put-surface! r (Float3 x y z)
-                      (Float3 (face-normal face 0) (face-normal face 2) (face-normal face 4))
-                      error-bound))))
+      (put-surface! r (Float3 (flmax (Float3-x lo) (flmin (Float3-x hi) (Float3-x p)))
+                              (flmax (Float3-y lo) (flmin (Float3-y hi) (Float3-y p)))
+                              (flmax (Float3-z lo) (flmin (Float3-z hi) (Float3-z p))))
+                    (Float3 0.0 0.0 0.0) error-bound))
+    (let ([outward (fl- (fl* 2.0 (fx->fl side)) 1.0)])
+      (flvector-set! r (fx+ surface-point axis) (flvector-ref bounds (fx+ axis (fx* 3 side))))
+      (flvector-set! r (fx+ surface-normal axis) outward)
+      (flvector-set! r (fx+ surface-shading-normal axis) outward)))
   ;; On each face from 0 to 1, u to the right and v up, seen from outside with y up; on the top
   ;; and bottom v runs along -z and z.
   (: uv (-> FlVector FxVector Void))
@@ -97,21 +102,13 @@
                            (if (fx= face 1) (fl- 1.0 z) (if (fx= face 4) (fl- 1.0 x) x))))
         (flvector-set! r (fx+ surface-uv 1)
                        (if (fx= face 2) z (if (fx= face 3) (fl- 1.0 z) y))))))
-  (ShapeKernel (Box-bounds box) nearest nearest surface uv 0 0))
+  (ShapeKernel bounds nearest nearest surface uv 0 0))
 
 (define-syntax-rule (put-face-hit! r i t face)
   (and (closer? r i t)
        (begin (flvector-set! r hit-t t)
               (flvector-set! r hit-u face)
               #t)))
-
-(define-syntax-rule (on-box face low-face x low high)
-  (if (fx= face low-face) low
-      (if (fx= face (fx+ low-face 1)) high
-          (if (fl>= x low) (if (fl<= x high) x high) low))))
-
-(define-syntax-rule (face-normal face low-face)
-  (if (fx= face low-face) -1.0 (if (fx= face (fx+ low-face 1)) 1.0 0.0)))
 
 (: Box-bounds (-> Box FlVector))
 (define (Box-bounds box)

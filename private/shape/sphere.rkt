@@ -19,12 +19,15 @@
       (let-float3 ([nearest (Float3-multiply-add oc (fl* -1.0 (fl* b inverse-dd)) d)])
         (let ([discriminant (fl- (fl* radius radius) (Float3-length-squared nearest))])
           (if (fl>= discriminant 0.0)
-              (let* ([length (Float3-length oc)]
-                     [c (fl* (fl- length radius) (fl+ length radius))]
-                     [s (flsqrt (fl* dd discriminant))])
-                (if (fl> b 0.0)
-                    (if (fl< c 0.0) (fl/ c (fl* -1.0 (fl+ b s))) +inf.0)
-                    (if (fl> c 0.0) (fl/ c (fl- s b)) (fl* (fl- s b) inverse-dd))))
+              (let ([s (flsqrt (fl* dd discriminant))])
+                (if (fl< (fl+ s s) (fl* -1.0 b))
+                    ;; far enough in front for the plain root to keep its digits
+                    (fl* (fl* -1.0 (fl+ b s)) inverse-dd)
+                    (let* ([length (Float3-length oc)]
+                           [c (fl* (fl- length radius) (fl+ length radius))])
+                      (if (fl> b 0.0)
+                          (if (fl< c 0.0) (fl/ c (fl* -1.0 (fl+ b s))) +inf.0)
+                          (if (fl> c 0.0) (fl/ c (fl- s b)) (fl* (fl- s b) inverse-dd))))))
               +inf.0))))))
 
 ;; point: the centre. radius: positive. material: the surface.
@@ -46,14 +49,17 @@
 ;; is a few roundings of the radius and the centre, however far the ray came from.
 (define-syntax-rule (Sphere-surface! r center radius)
   (let-float3 ([c center]
-               [normal (Float3-normalized
-                        (Float3-subtract (Float3-multiply-add (Float3-in r ray-origin)
-                                                              (flvector-ref r hit-t)
-                                                              (Float3-in r ray-direction))
-                                         c))]
-               [point (Float3-multiply-add c radius normal)])
-    (put-surface! r point normal
-                  (fl* (fl* 16.0 (ROUNDING)) (fl+ radius (Float3-largest-magnitude c))))))
+               [out (Float3-subtract (Float3-multiply-add (Float3-in r ray-origin)
+                                                          (flvector-ref r hit-t)
+                                                          (Float3-in r ray-direction))
+                                     c)])
+    (let ([length (Float3-length out)])
+      ;; divided, not multiplied by a reciprocal: the point is then within an ulp of the sphere
+      (let-float3 ([normal (Float3 (fl/ (Float3-x out) length) (fl/ (Float3-y out) length)
+                                   (fl/ (Float3-z out) length))]
+                   [point (Float3-multiply-add c radius normal)])
+        (put-surface! r point normal
+                      (fl* (fl* 16.0 (ROUNDING)) (fl+ radius (Float3-largest-magnitude c))))))))
 
 ;; Texture coordinates from the normal: u around the y axis from -x, v from the south pole up.
 (: Sphere-uv! (-> FlVector FxVector Void))

@@ -4,8 +4,7 @@
 
 (module+ test
   (require racket/flonum racket/list racket/math rackunit
-           "../../main.rkt" "../statistics.rkt"
-           "../../private/shape/plane.rkt" "../../private/shape/quad.rkt")
+           "../../main.rkt" "../statistics.rkt")
 
   (define x-axis (Float3 1 0 0))
   (define y-axis (Float3 0 1 0))
@@ -24,7 +23,7 @@
   (define-syntax-rule (case-is name expected argument ...)
     (test-case name (check-mean name (estimates argument ...) expected 5e-3)))
 
-  (define floor (make-Plane (Float3 0 0 0) y-axis))
+  (define floor (Plane (Float3 0 0 0) y-axis))
   (define (sphere-at height) (Sphere (Float3 0 height 0) 1))
 
   ;; --- spheres ---
@@ -47,7 +46,7 @@
   ;; --- wedges: a second plane through the z axis, at an angle to the floor x > 0 ---
   (define (wall degrees)
     (define angle (degrees->radians degrees))
-    (make-Plane (Float3 0 0 0) (Float3 (sin angle) (- (cos angle)) 0)))
+    (Plane (Float3 0 0 0) (Float3 (sin angle) (- (cos angle)) 0)))
   (for ([degrees '(60 90 120)])
     (case-is (format "C07 a wedge of ~a degrees, cosine" degrees)
              (* 0.5 (- 1.0 (cos (degrees->radians degrees))))
@@ -56,7 +55,7 @@
              (list floor (wall degrees)) (Float3 3 0 0) 'uniform 'binary +inf.0))
 
   ;; --- a wall of height 1, half a unit away; its ends 1e6 away hide less than 1e-6 ---
-  (define low-wall (make-Quad (Float3 -0.5 0 -1e6) (Float3 0 0 2e6) (Float3 0 1 0)))
+  (define low-wall (Quad (Float3 -0.5 0 -1e6) (Float3 0 0 2e6) (Float3 0 1 0)))
   (case-is "C10 a wall of finite height, cosine" 0.7236067977499789
            (list low-wall) (Float3 0 0 0) 'cosine 'binary far)
   (case-is "C11 the same, uniform" 0.6475836176504333
@@ -64,10 +63,10 @@
 
   ;; --- the middle of the floor of an open unit box ---
   (define box-walls
-    (list (make-Quad (Float3 0 0 0) (Float3 0 0 1) (Float3 0 1 0))
-          (make-Quad (Float3 1 0 0) (Float3 0 0 1) (Float3 0 1 0))
-          (make-Quad (Float3 0 0 0) (Float3 1 0 0) (Float3 0 1 0))
-          (make-Quad (Float3 0 0 1) (Float3 1 0 0) (Float3 0 1 0))))
+    (list (Quad (Float3 0 0 0) (Float3 0 0 1) (Float3 0 1 0))
+          (Quad (Float3 1 0 0) (Float3 0 0 1) (Float3 0 1 0))
+          (Quad (Float3 0 0 0) (Float3 1 0 0) (Float3 0 1 0))
+          (Quad (Float3 0 0 1) (Float3 1 0 0) (Float3 0 1 0))))
   (case-is "C12 an open box, cosine" 0.23945647046077354
            box-walls (Float3 0.5 0 0.5) 'cosine 'binary far)
   ;; the square opening's solid angle from below its middle, over 2 pi
@@ -76,7 +75,7 @@
            box-walls (Float3 0.5 0 0.5) 'uniform 'binary far)
 
   ;; --- a ceiling at height k under a largest distance of 1 ---
-  (define (ceiling height) (make-Plane (Float3 0 height 0) y-axis))
+  (define (ceiling height) (Plane (Float3 0 height 0) y-axis))
   (define origin (Float3 0 0 0))
   (case-is "C14 a ceiling, cosine" 0.16 (list (ceiling 0.4)) origin 'cosine 'binary 1)
   (case-is "C15 a ceiling, uniform" 0.4 (list (ceiling 0.4)) origin 'uniform 'binary 1)
@@ -109,7 +108,7 @@
                  [rim (sqrt 0.75)])
              (+ 0.75 (* 0.5 (- (primitive 1.0) (primitive rim)))))
            (list (sphere-at 2)) origin 'cosine 'linear 2)
-  (define wall-beside (list floor (make-Plane (Float3 -0.5 0 0) x-axis)))
+  (define wall-beside (list floor (Plane (Float3 -0.5 0 0) x-axis)))
   (case-is "C22 beside a wall, linear, uniform" 0.9232867951399863
            wall-beside origin 'uniform 'linear 1)
   (case-is "C23 beside a wall, linear, cosine" 0.9480351610902014
@@ -133,7 +132,7 @@
   (test-case "as ambient light: colour times ambient colour times the part that is open"
     (define world
       (World (list (Sphere (Float3 0 2 0) 1)
-                   (make-Plane (Float3 0 0 0) y-axis (Phong (Float3 0.5 0.25 1) #:specularity 0)))
+                   (Plane (Float3 0 0 0) y-axis (Phong (Float3 0.5 0.25 1) #:specularity 0)))
              '() (Float3 0.2 0.4 0.8) #:ambient-samples 1024 #:max-occlusion-distance far
              #:ambient-weighting 'cosine #:occlusion-falloff 'binary))
     (define ray (Ray (Float3 0.9 0.9 0) (Float3 -1 -1 0)))

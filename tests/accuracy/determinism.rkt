@@ -43,6 +43,9 @@
         (check-equal? (picture 'futures 3 tile integrator) reference
                       (format "tile ~a, 3 workers" tile)))))
 
+  (test-case "places: the same bits as one worker, with an odd tile size"
+    (check-equal? (picture 'places 2 7 'seed) (picture 'sequential 1 16 'seed)))
+
   (test-case "another seed, another picture"
     (check-not-equal? (picture 'sequential 1 16 'seed #:seed 2) (picture 'sequential 1 16 'seed)))
 

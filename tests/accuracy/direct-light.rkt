@@ -3,13 +3,12 @@
 ;; irradiance as it is.
 
 (module+ test
-  (require racket/math rackunit "../../main.rkt" "../statistics.rkt"
-           "../../private/shape/plane.rkt")
+  (require racket/math rackunit "../../main.rkt" "../statistics.rkt")
 
   (define black (Float3 0 0 0))
   (define white (Float3 1 1 1))
   (define chalk (Phong (Float3 1 0.5 0.25) #:specularity 0))
-  (define (floor material) (make-Plane (Float3 0 0 0) (Float3 0 0 1) material))
+  (define (floor material) (Plane (Float3 0 0 0) (Float3 0 0 1) material))
   (define (world-of material lights #:shapes [shapes '()] #:ambient [ambient black]
                     #:samples [samples 1024])
     (World (cons (floor material) shapes) lights black #:ambient-color ambient
@@ -53,6 +52,32 @@
       (check-mean (format "cosine ~a, distance ~a" c distance)
                   (estimates c distance) (* pi (/ c (* distance distance))) 1e-3)))
 
+  ;; --- flat lights, seen by the origin; two-sided where they need not face it ---
+  (define (shining two-sided?) (Emitter white two-sided?))
+  (define-syntax-rule (flat-light-case name expected light)
+    (test-case (format "~a: 4 standard errors, error below 0.5%" name)
+      (define world (world-of chalk '() #:shapes (list light)))
+      (check-mean name (for/list ([seed 16]) (Float3-x (towards world up #:seed seed)))
+                  expected 5e-3)))
+  (flat-light-case "A01 a rectangle's corner above" 0.4352098756835516
+                   (Quad (Float3 0 0 1) (Float3 0 1 0) (Float3 1 0 0) (shining #f)))
+  (flat-light-case "A02 a rectangle's middle above" 1.7408395027342063
+                   (Quad (Float3 -1 -1 1) (Float3 0 2 0) (Float3 2 0 0) (shining #f)))
+  (flat-light-case "A04 a rectangle that stands upright" 0.2986647456419607
+                   (Quad (Float3 1 0 0) (Float3 0 0 2) (Float3 0 1 0) (shining #f)))
+  (flat-light-case "A05 a triangle" 0.21650809210405844
+                   (Triangle (Float3 1 0 2) (Float3 2 1.5 3) (Float3 -1 1 1.5) (shining #t)))
+  (flat-light-case "A06 a rectangle partly below the horizon" 0.5173714719892747
+                   (Quad (Float3 2 -1 -1) (Float3 0 2 0) (Float3 -1 0 3) (shining #t)))
+  (flat-light-case "A12 a disk off the axis" 0.39676851439432764
+                   (Disk (Float3 1.5 0 1) (Float3 0 0 -1) 1 (shining #f)))
+  (flat-light-case "A13 a disk across" 0.26832404625866063
+                   (Disk (Float3 1 0 2) (Float3 -1 0 0) 1 (shining #f)))
+  (test-case "a one-sided light does not shine backwards"
+    (for ([light (list (Quad (Float3 -1 -1 1) (Float3 2 0 0) (Float3 0 2 0) (shining #f))
+                       (Disk (Float3 0 0 1) (Float3 0 0 1) 1 (shining #f)))])
+      (check-equal? (towards (world-of chalk '() #:shapes (list light)) up) black)))
+
   (test-case "a light seen directly is its radiance, from outside"
     (define world (World (list (Sphere (Float3 0 0 0) 1 (Emitter (Float3 3 2 1)))) '() black))
     (check-equal? (World-ray-trace world (Ray (Float3 0 0 3) (Float3 0 0 -1))) (Float3 3 2 1))
@@ -90,7 +115,7 @@
   (test-case "between two perfect mirrors 50 bounces, then black; fewer when asked for fewer"
     (define mirror (Phong white #:specularity 0 #:reflectivity 0.5))
     (define (world bounces)
-      (World (list (floor mirror) (make-Plane (Float3 0 0 1) (Float3 0 0 -1) mirror))
+      (World (list (floor mirror) (Plane (Float3 0 0 1) (Float3 0 0 -1) mirror))
              '() white #:ambient-color white #:ambient-samples 0 #:mirror-bounces bounces))
     ;; each surface gives half of the white ambient light and half of what it mirrors
     (for ([bounces '(0 1 2 10 50)])

@@ -3,10 +3,10 @@
 
 (module+ test
   (require racket/math rackunit "../../main.rkt" "../statistics.rkt"
-           "../../private/shape/plane.rkt" "../light/light-samples.rkt")
+           "../light/light-samples.rkt")
 
   (define chalk (Phong (Float3 1 1 1) #:specularity 0))
-  (define floor (make-Plane (Float3 0 0 0) (Float3 0 0 1) chalk))
+  (define floor (Plane (Float3 0 0 0) (Float3 0 0 1) chalk))
   (define black (Float3 0 0 0))
   (define (shining center radius)
     (Sphere center radius (Emitter (Float3 1 1 1))))
@@ -18,6 +18,39 @@
   ;; height h above the floor is behind the viewer.
   (define (seen world x #:seed [seed 0] #:h [h 0.01])
     (Float3-x (World-ray-trace world (Ray (Float3 x 0 h) (Float3 0 0 -1)) #:seed seed)))
+
+  ;; --- a straight edge: the half-plane z = 2, x < edge, below a disk or a square at z = 4 ---
+  (define (half-plane edge)
+    (Quad (Float3 (- edge 1e4) -1e4 2) (Float3 1e4 0 0) (Float3 0 2e4 0)))
+  (define white-light (Emitter (Float3 1 1 1)))
+  (define disk-light (Disk (Float3 0 0 4) (Float3 0 0 -1) 0.5 white-light))
+  (define square-light
+    (Quad (Float3 -0.5 -0.5 4) (Float3 0 1 0) (Float3 1 0 0) white-light))
+
+  (test-case "B01: the part of a disk's area that an edge leaves, 4 standard errors"
+    (define world (world-of (list disk-light (half-plane 0.0625))))
+    (check-mean "B01" (for/list ([seed 16]) (light-visible-part world (Float3 0 0 0) 4096 seed))
+                0.3425188212371463 2e-3))
+
+  (define (check-edge name light x expected)
+    (define world (world-of (list floor light (half-plane 0)) #:samples 2048))
+    (check-mean name (for/list ([seed 16]) (seen world x #:seed seed)) expected 1e-2))
+  (test-case "B02: irradiance in a disk's penumbra, 4 standard errors, error below 1%"
+    (for ([x '(-0.4 -0.25 0.25 0.4)]
+          [expected '(0.00233796097791169 0.009126095768637973
+                      0.03884206954924924 0.04507035269143468)])
+      (check-edge (format "B02 at ~a" x) disk-light x expected)))
+  (test-case "B04: irradiance in a square's penumbra"
+    (check-edge "B04" square-light 0.1 0.036931664891124816))
+  (test-case "B03: the penumbra is as wide as it should be"
+    (for ([light (list disk-light square-light)])
+      (define-values (edged open)
+        (values (world-of (list floor light (half-plane 0)) #:samples 2048)
+                (world-of (list floor light) #:samples 2048)))
+      (check-equal? (seen edged -0.5001) 0.0)
+      (check-true (> (seen edged -0.48) 0.0))
+      (check-equal? (seen edged 0.5001) (seen open 0.5001))
+      (check-true (< (seen edged 0.48) (seen open 0.48)))))
 
   ;; B05, B06: seen from the origin, a light of half-angle a behind a ball of half-angle b, their
   ;; centres at the angle c apart.

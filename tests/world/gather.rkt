@@ -3,7 +3,6 @@
 
 (module+ test
   (require racket/flonum racket/list rackunit "../../main.rkt" "../statistics.rkt"
-           "../../private/shape/triangle.rkt"
            "gathering.rkt" "worlds.rkt")
 
   (define (random-point uniform size)
@@ -55,7 +54,7 @@
     (define s (car spheres))
     (define e (* 0.1 (Sphere-radius s)))
     (define c (Sphere-point s))
-    (append spheres (list (make-Triangle c (Float3-add c (Float3 e 0 0)) (Float3-add c (Float3 0 e 0))))))
+    (append spheres (list (Triangle c (Float3-add c (Float3 e 0 0)) (Float3-add c (Float3 0 e 0))))))
 
   (for* ([weighting '(uniform cosine)] [falloff '(linear binary)] [distance '(0.3 2.0 1e9)])
     (test-case (format "pictures with and without gathering, ~a ~a ~a: equal to the bit"

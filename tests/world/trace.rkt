@@ -4,7 +4,7 @@
 
 (module+ test
   (require racket/flonum racket/list rackunit "../../main.rkt" "../statistics.rkt"
-           "../../private/shape/quad.rkt" "rays.rkt" "worlds.rkt")
+           "rays.rkt" "worlds.rkt")
 
   ;; rays of each kind for each world: 10^5 in all, 10^7 under stress, in rounds of fresh rays
   (define count 3600)
@@ -90,7 +90,7 @@
       (check-equal? (car (nearest-of (World (append (far) spheres)) straight)) others)
       (check-equal? (car (nearest-of (World (append spheres (far))) straight)) 0)
       (define quads
-        (for/list ([k 9]) (make-Quad (Float3 (- -1 k) -1 5) (Float3 (+ 2 k) 0 0) (Float3 0 2 0))))
+        (for/list ([k 9]) (Quad (Float3 (- -1 k) -1 5) (Float3 (+ 2 k) 0 0) (Float3 0 2 0))))
       (check-equal? (car (nearest-of (World (append (far) quads)) straight)) others)
       (check-equal? (car (nearest-of (World (append (far) (reverse quads))) straight)) others)))
 

@@ -4,10 +4,7 @@
 (provide random-spheres many-scales nested-duplicates mixed-shapes
          random-rays axis-parallel-rays grazing-rays on-face-rays)
 
-(require racket/flonum racket/list "../../main.rkt" "rays.rkt"
-         "../../private/shape/plane.rkt" "../../private/shape/disk.rkt"
-         "../../private/shape/quad.rkt" "../../private/shape/triangle.rkt"
-         "../../private/shape/box.rkt")
+(require racket/flonum racket/list "../../main.rkt" "rays.rkt")
 
 (define (random-point uniform size)
   (Float3 (uniform (- size) size) (uniform (- size) size) (uniform (- size) size)))
@@ -37,13 +34,13 @@
   (append
    (random-spheres uniform count 6.0)
    (for/list ([k count])
-     (make-Triangle (random-point uniform 6.0) (random-point uniform 6.0) (random-point uniform 6.0)))
-   (for/list ([k count]) (make-Quad (corner) (Float3 2.0 0.0 0.0) (Float3 0.0 0.0 2.0)))
+     (Triangle (random-point uniform 6.0) (random-point uniform 6.0) (random-point uniform 6.0)))
+   (for/list ([k count]) (Quad (corner) (Float3 2.0 0.0 0.0) (Float3 0.0 0.0 2.0)))
    (for/list ([k count])
      (define low (corner))
-     (make-Box low (Float3-add low (Float3 1.0 2.0 1.0))))
-   (for/list ([k count]) (make-Disk (corner) (Float3 0.0 1.0 0.0) 1.5))
-   (list (make-Plane (Float3 0.0 -3.0 0.0) (Float3 0.0 1.0 0.0)))))
+     (Box low (Float3-add low (Float3 1.0 2.0 1.0))))
+   (for/list ([k count]) (Disk (corner) (Float3 0.0 1.0 0.0) 1.5))
+   (list (Plane (Float3 0.0 -3.0 0.0) (Float3 0.0 1.0 0.0)))))
 
 ;; --- rays: seven numbers each ---
 
