@@ -10,8 +10,14 @@
 (: raise-expected (-> Symbol String String Any Nothing))
 (define (raise-expected who argument expected value)
   (raise (exn:fail:contract
-          (format "~a: expected ~a as ~a, given ~.s" who expected argument value)
+          (format "~a: expected ~a as ~a, given ~a" who expected argument (shortened value))
           (current-continuation-marks))))
+
+;; What was given, cut where it would fill more than a line.
+(: shortened (-> Any String))
+(define (shortened value)
+  (define text (format "~v" value))
+  (if (> (string-length text) 100) (string-append (substring text 0 97) "...") text))
 
 (: finite? (-> Flonum Boolean))
 (define (finite? x) (fl< (flabs x) +inf.0))
@@ -69,7 +75,7 @@
 
 (: check-albedo (-> Symbol String Float3 Float3))
 (define (check-albedo who argument value)
-  (check-color who argument value)
-  (if (and (fl<= (Float3-x value) 1.0) (fl<= (Float3-y value) 1.0) (fl<= (Float3-z value) 1.0))
+  (define (good? [x : Flonum]) (and (fl>= x 0.0) (fl<= x 1.0)))
+  (if (and (good? (Float3-x value)) (good? (Float3-y value)) (good? (Float3-z value)))
       value
       (raise-expected who argument "a colour with components from 0 to 1" value)))
