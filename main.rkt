@@ -8,12 +8,18 @@
            "private/shape/plane.rkt" "private/shape/disk.rkt" "private/shape/quad.rkt"
            "private/shape/triangle.rkt" "private/shape/box.rkt" "private/shape/cylinder.rkt"
            "private/shape/cone.rkt" "private/shape/torus.rkt"
+           "private/base/transform.rkt" "private/shape/mesh.rkt" "private/shape/mesh-file.rkt"
+           "private/shape/teapot.rkt" "private/shape/group.rkt" "private/shape/instance.rkt"
+           "private/shape/moving.rkt" "private/shape/solid.rkt" "private/shape/distance.rkt"
+           "private/shape/custom.rkt"
            "private/material/material.rkt" "private/material/phong.rkt"
            "private/material/emitter.rkt" "private/material/lambertian.rkt"
            "private/material/mirror.rkt" "private/material/metal.rkt"
            "private/material/dielectric.rkt" "private/material/plastic.rkt"
            "private/material/modified-phong.rkt" "private/material/mix.rkt"
+           "private/material/rough-conductor.rkt" "private/material/rough-dielectric.rkt"
            "private/light/light.rkt" "private/light/distant.rkt" "private/light/point.rkt"
+           "private/light/spot.rkt"
            "private/world/ray.rkt" "private/world/camera.rkt" "private/world/background.rkt"
            "private/world/world.rkt" "private/integrate/query.rkt"
            "private/render/render.rkt" "private/image/image.rkt" "private/image/write.rkt")
@@ -56,18 +62,40 @@
  Cylinder Cylinder? Cylinder-base Cylinder-top Cylinder-radius Cylinder-material Cylinder-caps?
  Cone Cone? Cone-base Cone-radius Cone-apex Cone-material Cone-caps?
  Torus Torus? Torus-center Torus-axis Torus-major-radius Torus-minor-radius Torus-material
+ Mesh Mesh? Mesh-positions Mesh-triangles Mesh-normals Mesh-uvs Mesh-material
+ Mesh-triangle-count Mesh-read teapot
+ ;; shapes made of shapes
+ Group Group? Group-shapes
+ Instance Instance? Instance-shape Instance-transform Instance-material
+ Moving Moving? Moving-shape Moving-from Moving-to
+ SolidUnion SolidUnion? SolidIntersection SolidIntersection? SolidDifference SolidDifference?
+ Solid? Solid-a Solid-b Solid-material
+ Transform? Transform-matrix-rows Transform-identity Transform-translate Transform-scale
+ Transform-rotate Transform-shear Transform-look-at Transform-compose Transform-inverse
+ Transform-point Transform-vector Transform-normal (rename-out [make-Transform Transform])
+ ;; shapes by a user's functions
+ DistanceShape DistanceShape? DistanceShape-distance DistanceShape-low DistanceShape-high
+ DistanceShape-error DistanceShape-lipschitz DistanceShape-material
+ CustomShape CustomShape? CustomShape-low CustomShape-high CustomShape-intersect
+ CustomShape-error CustomShape-uv CustomShape-material
  ;; materials
  Material? Phong Phong? Phong-color Phong-specularity Phong-shininess Phong-reflectivity
  WORLD-SHAPE-SPECULARITY WORLD-SHAPE-SHININESS Emitter Emitter? Emitter-radiance
- Emitter-two-sided? Lambertian Lambertian? Lambertian-albedo Mirror Mirror? Mirror-color
+ Emitter-two-sided? Emitter-surface Lambertian Lambertian? Lambertian-albedo Mirror Mirror? Mirror-color
  Metal Metal? Metal-albedo Metal-fuzz
  Dielectric Dielectric? Dielectric-ior Dielectric-fresnel Dielectric-absorption
  Dielectric-outside-ior Plastic Plastic? Plastic-albedo Plastic-ior
  ModifiedPhong ModifiedPhong? ModifiedPhong-albedo ModifiedPhong-specular
  ModifiedPhong-shininess Mix Mix? Mix-first Mix-second Mix-weight
+ RoughConductor RoughConductor? RoughConductor-roughness RoughConductor-color RoughConductor-eta
+ RoughConductor-k gold copper silver aluminium
+ RoughDielectric RoughDielectric? RoughDielectric-ior RoughDielectric-roughness
+ RoughDielectric-absorption RoughDielectric-outside-ior
  ;; lights and what lies behind everything
  Light? DistantLight DistantLight? DistantLight-direction DistantLight-color
  PointLight PointLight? PointLight-point PointLight-intensity
+ SpotLight SpotLight? SpotLight-point SpotLight-direction SpotLight-intensity
+ SpotLight-cone-angle SpotLight-falloff-angle
  GradientSky GradientSky? GradientSky-bottom GradientSky-top
  ;; worlds
  World World? World-shapes World-spheres World-lights World-sun World-background

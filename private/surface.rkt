@@ -8,11 +8,15 @@
                                         "material/lambertian.rkt" "material/mirror.rkt"
                                         "material/metal.rkt" "material/dielectric.rkt"
                                         "material/plastic.rkt" "material/modified-phong.rkt"
-                                        "material/mix.rkt"
+                                        "material/mix.rkt" "material/rough-conductor.rkt"
+                                        "material/rough-dielectric.rkt"
                                         "shape/sphere.rkt" "shape/plane.rkt" "shape/disk.rkt"
                                         "shape/quad.rkt" "shape/triangle.rkt" "shape/box.rkt"
                                         "shape/cylinder.rkt" "shape/cone.rkt" "shape/torus.rkt"
-                                        "light/distant.rkt" "light/point.rkt"
+                                        "shape/mesh.rkt" "shape/group.rkt" "shape/instance.rkt"
+                                        "shape/moving.rkt" "shape/solid.rkt"
+                                        "shape/distance.rkt" "shape/custom.rkt"
+                                        "light/distant.rkt" "light/point.rkt" "light/spot.rkt"
                                         "world/ray.rkt" "world/camera.rkt"
                                         "world/background.rkt" "world/world.rkt"))
          (for-syntax racket/base))
@@ -30,10 +34,21 @@
 (define-surface Cylinder (base top radius material caps?))
 (define-surface Cone (base radius apex material caps?))
 (define-surface Torus (center axis major-radius minor-radius material))
+(define-surface Mesh (positions triangles normals uvs material)
+  #:struct (positions triangles normals uvs material _))
+(define-surface Group (shapes) #:struct (_ shapes))
+(define-surface Instance (shape transform material) #:struct (_ shape transform material))
+(define-surface Moving (shape from to) #:struct (_ shape from to))
+(define-surface SolidUnion (a b material) #:struct (_ a b material))
+(define-surface SolidIntersection (a b material) #:struct (_ a b material))
+(define-surface SolidDifference (a b material) #:struct (_ a b material))
+(define-surface DistanceShape (distance low high error lipschitz material))
+(define-surface CustomShape (low high intersect error uv material))
 (define-surface DistantLight (direction color))
 (define-surface PointLight (point intensity))
+(define-surface SpotLight (point direction intensity cone-angle falloff-angle))
 (define-surface Phong (color specularity shininess reflectivity))
-(define-surface Emitter (radiance two-sided?))
+(define-surface Emitter (radiance two-sided? surface))
 (define-surface Lambertian (albedo))
 (define-surface Mirror (color))
 (define-surface Metal (albedo fuzz))
@@ -41,5 +56,7 @@
 (define-surface Plastic (albedo ior))
 (define-surface ModifiedPhong (albedo specular shininess))
 (define-surface Mix (first second weight))
+(define-surface RoughConductor (roughness color eta k))
+(define-surface RoughDielectric (ior roughness absorption outside-ior))
 (define-surface GradientSky (bottom top))
 (define-surface World (shapes lights background) #:struct (shapes lights background _ _))

@@ -47,7 +47,9 @@
   ;; an orthonormal frame, and room a kernel may use between two calls
   [frame-tangent 3] [frame-bitangent 3] [workspace 24]
   ;; rays kept while an instance is entered: 9 places a level
-  [saved-rays 72])
+  [saved-rays 72]
+  ;; flonums that have to survive calls: whoever owns places of the stack owns the same ones here
+  [flonum-stack 1024])
 
 (define-register-file fixnum-count
   ;; the nearest hit: index of the primitive in the world (-1 for none), its material, and the
@@ -64,8 +66,9 @@
   ;; the sampler: hash of (pixel, seed), sample index, next dimension; a fold over many samples
   [sampler-key 1] [sampler-index 1] [sampler-dimension 1]
   [fold-start 1] [fold-seed-u 1] [fold-seed-v 1]
-  ;; what was counted: rays asked for their nearest hit, occlusion rays, rejected samples
-  [nearest-rays 1] [occlusion-rays 1] [rejected-samples 1]
+  ;; what was counted: rays asked for their nearest hit, occlusion rays, rejected samples; and of
+  ;; these the first pixel's number plus 1 (0 for none) and its first sample
+  [nearest-rays 1] [occlusion-rays 1] [rejected-samples 1] [rejected-pixel 1] [rejected-sample 1]
   ;; places of primitives gathered around a point, and how many; -1 when there were too many
   [gathered-count 1] [gathered 32]
   ;; the path: bounces so far

@@ -1,8 +1,11 @@
 #lang racket/base
 ;; Rendering a scene to a picture file: what can be wrong is checked before the first ray.
-(require "values.rkt" "scenes.rkt" "load.rkt" "progress.rkt" "report.rkt"
+(require racket/lazy-require "values.rkt" "scenes.rkt" "load.rkt" "progress.rkt" "report.rkt"
          "../integrate/integrators.rkt" "../render/render.rkt" "../image/image.rkt"
          "../image/write.rkt")
+
+(lazy-require ["studio.rkt" (load-studio)]
+              ["needs.rkt" (scene-needs)])
 
 (provide render-scene)
 
@@ -14,7 +17,10 @@
   (define json (hash-ref options 'stats-json #f))
   (check-output-path output)
   (when json (check-json-path json output))
-  (define-values (world camera settings) (load-scene word path))
+  (define quiet? (hash-ref options 'quiet #f))
+  (define show? (and (not quiet?) (terminal-port? (current-error-port))))
+  (define-values (world camera settings)
+    (if (mesh-file? path) (load-studio word path show?) (load-scene word path)))
   (define (option key default)
     (hash-ref options key (lambda () (hash-ref settings key default))))
   (define (named-option key default names)
@@ -28,10 +34,9 @@
   (define integrator (named-option 'integrator 'auto INTEGRATORS))
   (define schedule (named-option 'schedule 'futures SCHEDULES))
   (define workers (option 'workers (default-worker-count)))
-  (define quiet? (option 'quiet #f))
   (define-values (image statistics)
     (call-with-progress
-     (and (not quiet?) (terminal-port? (current-error-port)))
+     show?
      (lambda (watch)
        (with-handlers ([exn:fail? (lambda (e) (raise-user-error
                                                (format "~a: ~a" word (exn-message e))))])
@@ -49,5 +54,7 @@
                            'schedule schedule 'workers workers)
                    statistics))
   (unless quiet? (report-line report))
-  (when (option 'stats #f) (report-table report))
+  (when (option 'stats #f)
+    (report-table report)
+    (report-texts (scene-needs world camera integrator)))
   (when json (report-json report json)))

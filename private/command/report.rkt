@@ -5,13 +5,13 @@
 (lazy-require [json (write-json)]
               [racket/file (call-with-atomic-output-file)])
 
-(provide render-report report-line report-table report-json check-json-path)
+(provide render-report report-line report-table report-texts report-json check-json-path)
 
 ;; about: what the statistics do not know. rows: (list key label value) with number values, or #f
-;; for what is unknown.
-(struct report (about rows))
+;; for what is unknown. first-rejected: as in Statistics.
+(struct report (about rows first-rejected))
 
-;; render-report : about: a hasheq with at least 'file, 'width and 'height.
+;; render-report : about: a hasheq with at least 'file, 'width, 'height and 'seed.
 (define (render-report about statistics)
   (define rays (+ (Statistics-nearest-rays statistics) (Statistics-occlusion-rays statistics)))
   (define seconds (Statistics-seconds statistics))
@@ -30,7 +30,8 @@
     (list 'seconds "seconds" seconds)
     (list 'processorSeconds "processor seconds" (Statistics-processor-seconds statistics))
     (list 'rejectedSamples "rejected samples" (Statistics-rejected-samples statistics))
-    (list 'peakMebibytes "peak memory, MiB" (peak-mebibytes)))))
+    (list 'peakMebibytes "peak memory, MiB" (peak-mebibytes)))
+   (Statistics-first-rejected statistics)))
 
 (define (report-value report key)
   (caddr (assq key (report-rows report))))
@@ -45,7 +46,13 @@
            (number-text (+ (report-value report 'buildSeconds) (report-value report 'seconds)))
            (if (zero? rejected)
                ""
-               (format ", ~a rejected: no finite colour" (count-text rejected "sample")))))
+               (format ", ~a rejected: no finite colour; see one with ~a"
+                       (count-text rejected "sample") (rejected-flags about report)))))
+
+;; The flags of a render that has the first rejected sample in it.
+(define (rejected-flags about report)
+  (define at (report-first-rejected report))
+  (format "--crop ~a,~a,1,1 --seed ~a" (car at) (cadr at) (hash-ref about 'seed)))
 
 (define (count-text count noun)
   (format "~a ~a~a" count noun (if (= count 1) "" "s")))
@@ -61,6 +68,13 @@
     (eprintf "~a~a  ~a~a\n"
              (car row) (spaces (- (widest car) (string-length (car row))))
              (spaces (- (widest cdr) (string-length (cdr row)))) (cdr row))))
+
+;; report-texts : pairs of a label and a text, a line each, on standard error.
+(define (report-texts pairs)
+  (define widest (apply max (map (lambda (pair) (string-length (car pair))) pairs)))
+  (for ([pair (in-list pairs)])
+    (eprintf "~a~a  ~a\n" (car pair)
+             (make-string (- widest (string-length (car pair))) #\space) (cdr pair))))
 
 (define (number-text number)
   (cond [(not number) "unknown"]

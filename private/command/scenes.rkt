@@ -1,6 +1,6 @@
 #lang racket/base
 ;; Where scenes are: the package's own by name, all others by path.
-(provide find-scene package-scenes scene-name)
+(provide find-scene package-scenes scene-name mesh-file?)
 
 (define scenes-folder
   (let-values ([(folder name must-be-folder?)
@@ -20,8 +20,11 @@
   (define-values (folder name must-be-folder?) (split-path path))
   (path->string (path-replace-extension name #"")))
 
-;; find-scene : the complete path of the scene's file: the word is a path to a .rkt file, or the
-;; name of one of the package's scenes. Raises exn:fail:user where there is none.
+;; mesh-file? : whether the path ends as the name of a mesh file does.
+(define (mesh-file? path) (regexp-match? #rx"[.](?i:obj|ply|stl)$" path))
+
+;; find-scene : the complete path of the scene's file: the word is a path to a .rkt or a mesh file,
+;; or the name of one of the package's scenes. Raises exn:fail:user where there is none.
 (define (find-scene word)
   (define path
     (and (path-string? word)
@@ -32,7 +35,7 @@
     [(and path (file-exists? path)) (simplify-path path)]
     [else
      (raise-user-error
-      (format "~a: expected a scene (a .rkt file, or one of the package's:~a), found ~a" word
+      (format "~a: expected a scene (a .rkt, .obj, .ply or .stl file, or one of the package's:~a), found ~a" word
               (apply string-append (map (lambda (scene) (string-append " " (scene-name scene)))
                                         (package-scenes)))
               (if (and path (directory-exists? path)) "a folder" "no such file")))]))

@@ -6,7 +6,7 @@
 (require "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt"
          "../sample/sampler.rkt"
          "../material/material.rkt" "../material/kernel.rkt" "../material/kernels.rkt"
-         "../material/emitter.rkt" "../light/light.rkt"
+         "../material/emitter.rkt" "../light/light.rkt" "../light/choice.rkt"
          "../world/scene.rkt" "../world/trace.rkt"
          "seed.rkt")
 
@@ -36,18 +36,21 @@
   (define background (Scene-background scene))
   (define lights (Scene-lights scene))
   (define lights? (> (vector-length lights) 0))
+  (define shines? (for/or : Boolean ([material (in-vector (Scene-materials scene))])
+                    (Emitter? material)))
   (define max-depth (or (PathLimits-max-depth limits) (fixnum-literal #xFFFFFFFF)))
   (lambda ([r : FlVector] [i : FxVector])
     (Float3-put! r radiance (Float3 0.0 0.0 0.0))
     (Float3-put! r throughput (Float3 1.0 1.0 1.0))
     (flvector-set! r previous-density +inf.0)
-    (let vertex ([depth : Fixnum 0])
+    ;; transmitting?: whether the last vertex sends light through
+    (let vertex ([depth : Fixnum 0] [transmitting? : Boolean #f])
       (flvector-set! r ray-limit +inf.0)
       (cond
         [(Scene-nearest! scene r i)
-         (when lights? (put-emission-weight! scene lights r i))
+         (when shines? (put-emission-weight! scene lights transmitting? r i))
          (Scene-surface! scene r i)
-         (when lights? (add-emission! emission r i))
+         (when shines? (add-emission! emission r i))
          (when (fx< depth max-depth)
            (let ([kernel (vector-ref kernels (fxvector-ref i hit-material))])
              (fxvector-set! i sampler-dimension
@@ -57,7 +60,7 @@
                (add-direct-light! scene lights kernel r i))
              ((MaterialKernel-sample kernel) r i)
              (when (and (scatter! r) (survives-roulette? depth r i))
-               (vertex (fx+ depth 1)))))]
+               (vertex (fx+ depth 1) (MaterialKernel-transmits? kernel)))))]
         [else
          (background r i)
          (Float3-put! r radiance
@@ -83,16 +86,17 @@
 
 ;; Before the new surface replaces the last one: the weight of light found by scattering, given
 ;; that the last vertex could have sampled the light that was hit. Left in light-density.
-(: put-emission-weight! (-> Scene (Vectorof LightKernel) FlVector FxVector Void))
-(define (put-emission-weight! scene lights r i)
+(: put-emission-weight! (-> Scene (Vectorof LightKernel) Boolean FlVector FxVector Void))
+(define (put-emission-weight! scene lights transmitting? r i)
   (define light (fxvector-ref (Scene-primitive-lights scene) (fxvector-ref i hit-primitive)))
   (cond
     [(or (fx< light 0) (fl= (flvector-ref r previous-density) +inf.0))
      (flvector-set! r light-density 1.0)]
     [else
      ((LightKernel-density (vector-ref lights light)) r i)
+     (put-light-probability! (Scene-light-choice scene) light transmitting? r)
      (let ([own (flvector-ref r previous-density)]
-           [other (fl/ (flvector-ref r light-density) (fx->fl (vector-length lights)))])
+           [other (fl* (flvector-ref r light-density) (flvector-ref r (light-probability)))])
        (flvector-set! r light-density (power-heuristic own other)))]))
 
 (: add-emission! (-> FlVector FlVector FxVector Void))
@@ -127,12 +131,13 @@
     (cond
       [(eqv? count 1) 0]
       [else (sample-next-pair! r i)
-            (fl->fx (fl* (flvector-ref r sample-u) (fx->fl count)))]))
+            (choose-light! (Scene-light-choice scene) (MaterialKernel-transmits? kernel) r)]))
   (define light (vector-ref lights number))
   (fxvector-set! i sampler-dimension
                  (fx+ (fxvector-ref i sampler-dimension) (if (eqv? count 1) 1 0)))
   (sample-next-pair! r i)
   ((LightKernel-sample light) r i)
+  (unless (eqv? count 1) (count-choice! r))
   (when (fl> (Float3-largest-component (Float3-in r light-radiance)) 0.0)
     (Float3-put! r in-direction (Float3-in r light-direction))
     (when (or (fl> (Float3-dot (Float3-in r light-direction) (Float3-in r surface-normal)) 0.0)
@@ -144,18 +149,25 @@
         (fxvector-set! i ignored-primitive (LightKernel-primitive light))
         (let ([dark? (Scene-occluded? scene r i)])
           (fxvector-set! i ignored-primitive -1)
-          (unless dark? (add-light-sample! count r)))))))
+          (unless dark? (add-light-sample! r)))))))
 
-(: add-light-sample! (-> Fixnum FlVector Void))
-(define (add-light-sample! count r)
-  (let* ([density (fl/ (flvector-ref r light-density) (fx->fl count))]
+;; That this light was chosen is part of the sample's density.
+(define-syntax-rule (count-choice! r)
+  (let ([probability (flvector-ref r (light-probability))])
+    (flvector-set! r light-density (fl* (flvector-ref r light-density) probability))
+    (Float3-put! r light-radiance
+                 (Float3-scale-by-scalar (Float3-in r light-radiance) (fl/ 1.0 probability)))))
+
+(: add-light-sample! (-> FlVector Void))
+(define (add-light-sample! r)
+  (let* ([density (flvector-ref r light-density)]
          [weight (if (fl= density +inf.0)
                      1.0
                      (power-heuristic density (flvector-ref r bsdf-density)))])
     (Float3-put! r radiance
                  (Float3-multiply-add
                   (Float3-in r radiance)
-                  (fl* weight (fx->fl count))
+                  weight
                   (Float3-scale-by-vector
                    (Float3-in r throughput)
                    (Float3-scale-by-vector (Float3-in r bsdf-weight)

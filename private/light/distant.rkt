@@ -28,4 +28,5 @@
      (flvector-set! r light-density +inf.0))
    (lambda ([r : FlVector] [i : FxVector]) (flvector-set! r light-density 0.0))
    #f
-   -1))
+   -1
+   (LightBound #f (mean-component color) direction 0.0 0.0)))

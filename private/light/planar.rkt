@@ -65,7 +65,8 @@
    (lambda ([r : FlVector] [i : FxVector])
      (put-area-density! r center normal area two-sided?))
    #t
-   primitive))
+   primitive
+   (flat-bound (Disk-bounds disk) radiance area normal 0.0 two-sided?)))
 
 (: Triangle-light-kernel (-> Triangle Emitter Fixnum LightKernel))
 (define (Triangle-light-kernel triangle emitter primitive)
@@ -91,4 +92,5 @@
    (lambda ([r : FlVector] [i : FxVector])
      (put-area-density! r a normal area two-sided?))
    #t
-   primitive))
+   primitive
+   (flat-bound (Triangle-bounds triangle) radiance area normal 0.0 two-sided?)))

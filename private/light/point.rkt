@@ -2,7 +2,7 @@
 ;; A light that shines from one point in all directions.
 (require (for-syntax racket/base)
          "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/check.rkt"
-         "../base/public.rkt" "light.rkt")
+         "../base/public.rkt" "../shape/triangle.rkt" "light.rkt")
 
 (provide (struct-out PointLight) make-PointLight PointLight-kernel)
 
@@ -35,4 +35,5 @@
          (flvector-set! r light-density +inf.0))))
    (lambda ([r : FlVector] [i : FxVector]) (flvector-set! r light-density 0.0))
    #f
-   -1))
+   -1
+   (LightBound (points-bounds (list point)) (mean-component intensity) #f 0.0 0.0)))

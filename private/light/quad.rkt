@@ -108,7 +108,8 @@
            [angle (fl- (fl+ g0 g1) k)])
       body))
 
-  (LightKernel sample density #t primitive))
+  (LightKernel sample density #t primitive
+               (flat-bound (Quad-bounds quad) radiance area normal 0.0 two-sided?)))
 
 (define-syntax-rule (clamped x low high)
   (let ([value x]) (if (fl< value low) low (if (fl> value high) high value))))

@@ -78,7 +78,9 @@
                      (fl* (fl/ half-chord radius) (fl* (fl* 4.0 (PI)) r-squared)))))]
            [else 0.0])))))
 
-  (LightKernel sample density #t primitive))
+  (LightKernel sample density #t primitive
+               (round-bound (Sphere-bounds sphere) radiance
+                            (fl* (fl* 4.0 (PI)) (fl* radius radius)))))
 
 (: dark! (-> FlVector Void))
 (define (dark! r)

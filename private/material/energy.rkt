@@ -1,7 +1,7 @@
 #lang typed/racket/base
 ;; How much light the single-scattering GGX model loses: light that leaves one microfacet and meets
 ;; another is missing from it. Losses by direction, as a column of numbers for one material.
-(require typed/racket/unsafe racket/promise
+(require "../base/unsafe-typed.rkt" racket/promise
          "../base/unsafe.rkt" "../base/check.rkt" "../base/float3.rkt"
          "microfacet.rkt" "fresnel.rkt")
 (unsafe-require/typed "../base/promise.rkt" [once (All (a) (-> (-> a) (Promise a)))])

@@ -7,7 +7,7 @@
 
 (provide Material-kernel)
 
-;; An emitter reflects nothing.
+;; An emitter without a surface reflects nothing.
 (: Material-kernel (-> Material MaterialKernel))
 (define (Material-kernel material)
   (cond
@@ -21,5 +21,6 @@
     [(RoughDielectric? material) (RoughDielectric-kernel material)]
     [(Plastic? material) (Plastic-kernel material)]
     [(Mix? material) (Mix-kernel material Material-kernel)]
-    [(Emitter? material) (Lambertian-kernel (make-Lambertian (make-Float3 0 0 0)))]
+    [(Emitter? material)
+     (Material-kernel (or (Emitter-surface material) (make-Lambertian (make-Float3 0 0 0))))]
     [else (raise-expected 'World "materials" "materials of this library" material)]))

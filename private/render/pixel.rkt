@@ -55,7 +55,8 @@
            (flvector-set! r film-y (fl+ (fx->fl y) (flvector-ref r sample-v)))])
         (camera-kernel r i)
         (integrator r i)
-        (add-sample! r i film place (fl/ 1.0 (fx->fl samples)))
+        (unless (add-sample! r film place (fl/ 1.0 (fx->fl samples)))
+          (count-rejected! i pixel sample))
         (fold (fx+ sample 1)))))
 
   (: render-tile! (-> Fixnum Void))
@@ -73,10 +74,20 @@
         (rows (fx+ y 1)))))
   (values render-tile! i))
 
-;; Adds a sample to the film, unless it is no number a picture can hold: those are counted.
-(define-syntax-rule (add-sample! r i film place weight)
+;; Adds a sample to the film and returns #t, unless it is no number a picture can hold.
+(define-syntax-rule (add-sample! r film place weight)
   (let-float3 ([color (Float3-in r radiance)])
     (if (and (fl>= (Float3-x color) 0.0) (fl>= (Float3-y color) 0.0) (fl>= (Float3-z color) 0.0)
              (fl< (Float3-largest-component color) +inf.0))
-        (Float3-put! film place (Float3-multiply-add (Float3-in film place) weight color))
-        (fxvector-set! i rejected-samples (fx+ 1 (fxvector-ref i rejected-samples))))))
+        (begin
+          (Float3-put! film place (Float3-multiply-add (Float3-in film place) weight color))
+          #t)
+        #f)))
+
+(: count-rejected! (-> FxVector Fixnum Fixnum Void))
+(define (count-rejected! i pixel sample)
+  (define first (fxvector-ref i rejected-pixel))
+  (fxvector-set! i rejected-samples (fx+ 1 (fxvector-ref i rejected-samples)))
+  (when (or (fx= first 0) (fx< pixel (fx- first 1)))
+    (fxvector-set! i rejected-pixel (fx+ pixel 1))
+    (fxvector-set! i rejected-sample sample)))

@@ -97,9 +97,21 @@
    (make-Image (caddr area) (cadddr area) film)
    (Statistics (fx* (caddr area) (cadddr area)) sample-count
                (total nearest-rays) (total occlusion-rays) (total rejected-samples)
+               (first-rejected counts columns)
                (fl/ (fl- built start) 1000.0)
                (fl/ (fl- (current-inexact-milliseconds) built) 1000.0)
                (fl/ (fx->fl (fx- (current-process-milliseconds) processor-start)) 1000.0))))
+
+(: first-rejected (-> (Listof FxVector) Fixnum (U #f (List Fixnum Fixnum Fixnum))))
+(define (first-rejected counts width)
+  (define-values (pixel sample)
+    (for/fold ([pixel : Fixnum 0] [sample : Fixnum 0]) ([i (in-list counts)])
+      (define other (fxvector-ref i rejected-pixel))
+      (if (and (fx> other 0) (or (fx= pixel 0) (fx< other pixel)))
+          (values other (fxvector-ref i rejected-sample))
+          (values pixel sample))))
+  (and (fx> pixel 0)
+       (list (fxremainder (fx- pixel 1) width) (fxquotient (fx- pixel 1) width) sample)))
 
 (: check-crop (-> (List Integer Integer Integer Integer) Fixnum Fixnum
                   (List Fixnum Fixnum Fixnum Fixnum)))

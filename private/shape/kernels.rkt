@@ -2,7 +2,8 @@
 ;; The kernel and the material of any shape: the one place that lists them all.
 (require "shape.rkt" "kernel.rkt" "sphere.rkt" "cylinder.rkt" "cone.rkt" "torus.rkt"
          "plane.rkt" "disk.rkt" "quad.rkt" "triangle.rkt" "box.rkt" "mesh.rkt"
-         "composite.rkt" "instance.rkt" "moving.rkt" "group.rkt"
+         "composite.rkt" "instance.rkt" "moving.rkt" "group.rkt" "solid.rkt"
+         "distance.rkt" "custom.rkt"
          "../material/material.rkt" "../base/check.rkt" "../base/float3.rkt")
 
 (provide Shape-kernel Shape-compiler Shape-material)
@@ -40,6 +41,9 @@
     [(Instance? shape) (Instance-kernel shape compile number)]
     [(Moving? shape) (Moving-kernel shape compile)]
     [(Group? shape) (Group-kernel shape compile number Shape-material)]
+    [(Solid? shape) (Solid-kernel shape compile number Shape-material)]
+    [(DistanceShape? shape) (DistanceShape-kernel shape)]
+    [(CustomShape? shape) (CustomShape-kernel shape)]
     [else (raise-expected 'World "shapes" "shapes of this library" shape)]))
 
 ;; The material of a shape; of a composite, that of its first part.
@@ -62,4 +66,7 @@
      (if (pair? (Group-shapes shape))
          (Shape-material (car (Group-shapes shape)))
          (->material (make-Float3 0.5 0.5 0.5)))]
+    [(Solid? shape) (or (Solid-material shape) (Shape-material (Solid-a shape)))]
+    [(DistanceShape? shape) (DistanceShape-material shape)]
+    [(CustomShape? shape) (CustomShape-material shape)]
     [else (raise-expected 'World "shapes" "shapes of this library" shape)]))

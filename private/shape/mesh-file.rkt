@@ -1,6 +1,6 @@
 #lang typed/racket/base
 ;; Shapes from mesh files: one mesh for each material that is used.
-(require racket/list typed/racket/unsafe
+(require racket/list "../base/unsafe-typed.rkt"
          "../base/unsafe.rkt" "../base/float3.rkt" "../material/material.rkt"
          "../material/lambertian.rkt" "shape.rkt" "group.rkt" "mesh.rkt" "vertex-normals.rkt")
 
@@ -8,16 +8,19 @@
 
 (define-type Run (List (U #f String) Nonnegative-Fixnum Nonnegative-Fixnum))
 
+;; What the untyped readers return, by its accessors alone.
+(define-type MeshData Any)
+(define-type MeshMaterial Any)
 (unsafe-require/typed "../read/mesh.rkt"
-  [#:struct mesh-material
-   ([Kd : (U #f (Listof Flonum))] [Ks : (U #f (Listof Flonum))] [Ns : (U #f Flonum)]
-    [d : (U #f Flonum)] [Ni : (U #f Flonum)] [Ke : (U #f (Listof Flonum))])]
-  [#:struct mesh-data
-   ([positions : FlVector] [normals : (U #f FlVector)] [uvs : (U #f FlVector)]
-    [triangles : FxVector] [groups : (Listof Run)]
-    [materials : (HashTable (U #f String) mesh-material)]
-    [dropped : Fixnum] [warnings : (Listof String)])]
-  [read-mesh (-> Path-String #:progress (U #f (-> Real Any)) mesh-data)])
+  [read-mesh (-> Path-String #:progress (U #f (-> Real Any)) MeshData)]
+  [mesh-data-positions (-> MeshData FlVector)]
+  [mesh-data-normals (-> MeshData (U #f FlVector))]
+  [mesh-data-uvs (-> MeshData (U #f FlVector))]
+  [mesh-data-triangles (-> MeshData FxVector)]
+  [mesh-data-groups (-> MeshData (Listof Run))]
+  [mesh-data-materials (-> MeshData (HashTable (U #f String) MeshMaterial))]
+  [mesh-data-warnings (-> MeshData (Listof String))]
+  [mesh-material-Kd (-> MeshMaterial (U #f (Listof Flonum)))])
 
 ;; Mesh-read : the shape in a mesh file, .obj, .ply or .stl by its name: a Mesh, or a Group of
 ;; Meshes where the file uses several materials. #:material: instead of all the file's own.
@@ -36,7 +39,7 @@
 
 ;; mesh-data->shape : the same from what a reader returns. A material's Kd becomes a Lambertian of
 ;; that albedo; where there is none it is grey, 0.5.
-(: mesh-data->shape (->* (mesh-data) (#:material (U #f MaterialOrColor) #:smooth? Boolean)
+(: mesh-data->shape (->* (MeshData) (#:material (U #f MaterialOrColor) #:smooth? Boolean)
                          (U Mesh Group)))
 (define (mesh-data->shape data #:material [material #f] #:smooth? [smooth? #f])
   (define positions (mesh-data-positions data))
@@ -63,7 +66,7 @@
         (mesh (join-runs triangles runs) (material-of name))))]))
 
 ;; Albedos beyond what a surface can reflect are cut to 0 and 1.
-(: mesh-material->material (-> (U #f mesh-material) Material))
+(: mesh-material->material (-> MeshMaterial Material))
 (define (mesh-material->material m)
   (define Kd (and m (mesh-material-Kd m)))
   (: albedo (-> Flonum Flonum))

@@ -1,6 +1,6 @@
 #lang typed/racket/base
 ;; Meshes: indexed triangles with a hierarchy of their own, built once however often it is used.
-(require racket/promise typed/racket/unsafe (for-syntax racket/base)
+(require racket/promise "../base/unsafe-typed.rkt" (for-syntax racket/base)
          "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/public.rkt"
          "../base/check.rkt" "../material/material.rkt"
          "../world/hierarchy.rkt" "../world/traverse.rkt"

@@ -1,6 +1,6 @@
 #lang typed/racket/base
 ;; The Utah teapot as a shape.
-(require typed/racket/unsafe "../base/unsafe.rkt" "../base/float3.rkt" "../base/check.rkt"
+(require "../base/unsafe-typed.rkt" "../base/unsafe.rkt" "../base/float3.rkt" "../base/check.rkt"
          "shape.rkt" "mesh.rkt")
 
 (provide teapot)

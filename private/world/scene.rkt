@@ -4,8 +4,9 @@
 (require racket/vector
          "../base/unsafe.rkt" "../base/float3.rkt"
          "../shape/shape.rkt" "../shape/kernel.rkt" "../shape/kernels.rkt" "../shape/sphere.rkt"
-         "../material/material.rkt" "../material/emitter.rkt"
-         "../light/light.rkt" "../light/kernels.rkt"
+         "../shape/composite.rkt"
+         "../material/material.rkt"
+         "../light/light.rkt" "../light/kernels.rkt" "../light/choice.rkt"
          "background.rkt" "hierarchy.rkt")
 
 (provide (struct-out Scene) compile-scene)
@@ -20,7 +21,7 @@
    [only-spheres? : Boolean] [unbounded : FxVector]
    [kernels : (Vectorof (U #f ShapeKernel))]
    [primitive-materials : FxVector] [materials : (Vectorof Material)]
-   [lights : (Vectorof LightKernel)]
+   [lights : (Vectorof LightKernel)] [light-choice : LightChoice]
    [primitive-lights : FxVector]
    [background : (-> FlVector FxVector Void)]
    [extent : Flonum]))
@@ -44,8 +45,8 @@
     (or (fx= k 6) (and (fl< (flabs (flvector-ref box k)) +inf.0) (loop (fx+ k 1))))))
 
 ;; Spheres need no kernel of their own: worlds keep them packed.
-(: kernel-or-sphere (-> Shape (U #f ShapeKernel)))
-(define (kernel-or-sphere shape) (if (Sphere? shape) #f (Shape-kernel shape)))
+(: kernel-or-sphere (-> CompileShape (-> Shape (U #f ShapeKernel))))
+(define ((kernel-or-sphere compile) shape) (if (Sphere? shape) #f (compile shape)))
 
 (: shape-bounds (-> Shape (U #f ShapeKernel) FlVector))
 (define (shape-bounds shape kernel)
@@ -58,8 +59,10 @@
 (define (compile-scene shape-list lights background)
   (define shapes (list->vector shape-list))
   (define count (vector-length shapes))
+  (define-values (number all-materials) (number-materials))
+  (define primitive-materials (numbers-of-materials shapes number))
   (define kernels : (Vectorof (U #f ShapeKernel))
-    (vector-map kernel-or-sphere shapes))
+    (vector-map (kernel-or-sphere (Shape-compiler number)) shapes))
   ;; the bounded primitives and their boxes; the unbounded ones
   (define boxes (make-flvector (* 6 count) 0.0))
   (define bounded (make-fxvector count 0))
@@ -90,47 +93,58 @@
     (when (fx< k count)
       (fxvector-set! all k k)
       (loop (fx+ k 1))))
-  (define-values (primitive-materials materials) (index-materials shapes))
   (define-values (shape-lights primitive-lights) (find-shape-lights shapes))
+  (define light-kernels (list->vector (append shape-lights (map Light-kernel lights))))
   (Scene (Hierarchy-bounds hierarchy) (Hierarchy-links hierarchy) order
          (packed-spheres shapes order)
          (packed-spheres shapes all)
          (and (= bounded-count count)
               (for/and : Boolean ([shape (in-vector shapes)]) (Sphere? shape)))
          (fxvector-copy unbounded 0 (- count bounded-count))
-         kernels primitive-materials materials
-         (list->vector (append shape-lights (map Light-kernel lights)))
+         kernels primitive-materials (all-materials)
+         light-kernels (make-light-choice light-kernels)
          primitive-lights
          (Background-kernel background)
          (largest-magnitude boxes (* 6 bounded-count))))
 
-;; Materials are numbered by identity in order of appearance.
-(: index-materials (-> (Vectorof Shape) (Values FxVector (Vectorof Material))))
-(define (index-materials shapes)
-  (define indices (make-fxvector (vector-length shapes) 0))
+;; A procedure that numbers materials by identity in the order it meets them, those of the parts of
+;; composites too, and one that returns all it has met.
+(: number-materials (-> (Values NumberMaterial (-> (Vectorof Material)))))
+(define (number-materials)
   (define numbers : (HashTable Material Index) (make-hasheq))
-  (let loop ([k : Nonnegative-Fixnum 0] [in-order : (Listof Material) '()])
-    (cond
-      [(= k (vector-length shapes)) (values indices (list->vector (reverse in-order)))]
-      [else
-       (define material (Shape-material (vector-ref shapes k)))
-       (define known (hash-ref numbers material (lambda () #f)))
-       (define number (or known (hash-count numbers)))
-       (unless known (hash-set! numbers material number))
-       (fxvector-set! indices k number)
-       (loop (assert (+ k 1) fixnum?) (if known in-order (cons material in-order)))])))
+  (: number NumberMaterial)
+  (define (number material)
+    (or (hash-ref numbers material (lambda () #f))
+        (let ([new (hash-count numbers)])
+          (hash-set! numbers material new)
+          new)))
+  (: all-materials (-> (Vectorof Material)))
+  (define (all-materials)
+    (define pairs
+      (sort (hash->list numbers)
+            (lambda ([a : (Pairof Material Index)] [b : (Pairof Material Index)])
+              (< (cdr a) (cdr b)))))
+    (for/vector : (Vectorof Material) ([pair (in-list pairs)]) (car pair)))
+  (values number all-materials))
 
-;; The shapes that shine, and for every primitive its number among them or -1.
+(: numbers-of-materials (-> (Vectorof Shape) NumberMaterial FxVector))
+(define (numbers-of-materials shapes number)
+  (define numbers (make-fxvector (vector-length shapes) 0))
+  (for ([k : Nonnegative-Fixnum (in-range (vector-length shapes))])
+    (fxvector-set! numbers k (number (Shape-material (vector-ref shapes k)))))
+  numbers)
+
+;; The shapes that are sampled as lights, and for every primitive its number among them or -1.
 (: find-shape-lights (-> (Vectorof Shape) (Values (Listof LightKernel) FxVector)))
 (define (find-shape-lights shapes)
   (define primitive-lights (make-fxvector (vector-length shapes) -1))
   (let loop ([k : Nonnegative-Fixnum 0] [found : Fixnum 0] [lights : (Listof LightKernel) '()])
     (cond
       [(= k (vector-length shapes)) (values (reverse lights) primitive-lights)]
-      [(Emitter? (Shape-material (vector-ref shapes k)))
-       (fxvector-set! primitive-lights k found)
-       (loop (assert (+ k 1) fixnum?) (fx+ found 1)
-             (cons (Shape-light-kernel (vector-ref shapes k) k) lights))]
+      [(Shape-light-kernel (vector-ref shapes k) k)
+       => (lambda ([light : LightKernel])
+            (fxvector-set! primitive-lights k found)
+            (loop (assert (+ k 1) fixnum?) (fx+ found 1) (cons light lights)))]
       [else (loop (assert (+ k 1) fixnum?) found lights)])))
 
 (: packed-spheres (-> (Vectorof Shape) FxVector FlVector))

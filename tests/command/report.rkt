@@ -7,7 +7,8 @@
   (define about (hasheq 'scene "a.rkt" 'file "a.ppm" 'width 64 'height 36 'seed 0
                         'integrator 'auto 'schedule 'futures 'workers 2))
   (define (report-of #:samples [samples 4] #:rejected [rejected 0] #:seconds [seconds 0.5])
-    (render-report about (Statistics 2304 samples 4608 2304 rejected 0.25 seconds 0.75)))
+    (render-report about (Statistics 2304 samples 4608 2304 rejected (and (positive? rejected) (list 12 7 3))
+                                     0.25 seconds 0.75)))
   (define (errors-of use)
     (define out (open-output-string))
     (parameterize ([current-error-port out]) (use))
@@ -16,7 +17,8 @@
   (check-equal? (errors-of (lambda () (report-line (report-of))))
                 "a.ppm: 64x36, 4 samples a pixel, 0.75 s\n")
   (check-equal? (errors-of (lambda () (report-line (report-of #:samples 1 #:rejected 2))))
-                "a.ppm: 64x36, 1 sample a pixel, 0.75 s, 2 samples rejected: no finite colour\n")
+                (string-append "a.ppm: 64x36, 1 sample a pixel, 0.75 s, 2 samples rejected: "
+                               "no finite colour; see one with --crop 12,7,1,1 --seed 0\n"))
 
   (define table (string-split (errors-of (lambda () (report-table (report-of)))) "\n"))
   (check-equal? (list-ref table 0) "pixels                   2304")

@@ -1,34 +1,7 @@
 #lang racket/base
 ;; The path integrator against closed forms: every value comes from a render, 64 independent seeds
 ;; of one pixel each, and passes within 4.5 standard errors of their mean.
-(require rackunit racket/math raytrace)
-
-;; The mean over seeds of the pixel a narrow camera sees, and its standard error.
-(define (measure world camera #:samples [samples 64] #:seeds [seeds 64])
-  (define values*
-    (for/list ([seed (in-range seeds)])
-      (define image
-        (render world camera #:width 1 #:height 1 #:samples samples #:seed seed
-                #:integrator 'path #:schedule 'sequential))
-      (define-values (red green blue) (Image-pixel image 0 0))
-      red))
-  (define mean (/ (apply + values*) seeds))
-  (define variance
-    (/ (for/sum ([v (in-list values*)]) (sqr (- v mean))) (- seeds 1)))
-  (values mean (sqrt (/ variance seeds))))
-
-(define-check (check-radiance world camera expected)
-  (define-values (mean error) (measure world camera))
-  ;; rounding of a sum of a few thousand numbers where there is no variance at all
-  (unless (<= (abs (- mean expected)) (+ (* 4.5 error) (* 1e-12 expected)))
-    (fail-check (format "mean ~a, standard error ~a, expected ~a" mean error expected))))
-
-;; A camera so narrow that it sees one point.
-(define (look-from eye at #:up [up (Float3 0 1 0)])
-  (Camera-look-at eye at #:up up #:vertical-field-of-view-degrees 1e-6))
-
-(define black (Float3 0 0 0))
-(define (grey albedo) (Lambertian (Float3 albedo albedo albedo)))
+(require rackunit racket/math raytrace "measure.rkt")
 
 (module+ test
   (test-case "a white Lambertian sphere in a furnace is invisible"
