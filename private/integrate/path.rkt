@@ -71,7 +71,7 @@
 ;; Radiance and, in the fourth place, 1 where the emission is two-sided; by material.
 (: pack-emission (-> (Vectorof Material) FlVector))
 (define (pack-emission materials)
-  (define packed (make-flvector (* 4 (vector-length materials)) 0.0))
+  (define packed (make-flvector (fx* 4 (vector-length materials)) 0.0))
   (for ([k (in-range (vector-length materials))])
     (define material (vector-ref materials k))
     (when (Emitter? material)
