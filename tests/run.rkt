@@ -36,14 +36,14 @@
   ;; ----------------------------------------------------------------------------------------------
   ;; All files, in processes of their own.
 
-  ;; The .rkt files at a path or below it that have tests; compiled ones, and those that take hours
-  ;; or measure time, are left out.
+  ;; The .rkt files at a path or below it that have tests; compiled ones, and and those
+  ;; that measure time, are left out.
   (define (test-files path)
     (cond
       [(directory-exists? path)
        (append*
         (for/list ([entry (in-list (directory-list path))]
-                   #:unless (member (path->string entry) '("compiled" "stress" "bench")))
+                   #:unless (member (path->string entry) '("compiled" "bench")))
           (test-files (build-path path entry))))]
       [(and (path-has-extension? path #".rkt") (has-tests? path)) (list path)]
       [else '()]))

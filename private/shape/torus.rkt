@@ -53,6 +53,11 @@
          [slope (fl* 2.0 (fl+ (fl* (fl/ beyond rho) (fl+ (fl* x dx) (fl* y dy))) (fl* z dz)))])
     body))
 
+;; Whether the coefficients and the powers the search takes of them are numbers: not so for directions
+;; shorter than 1e-50 of the torus or with no length at all, whose rays miss it.
+(define-syntax-rule (representable? p q)
+  (and (fl< (flabs p) 1e100) (fl< (flabs q) 1e150)))
+
 ;; Prepares the search for the roots after parameter `first` of the ray; whether there can be any.
 ;; With the origin nearest to the centre the quartic over (d.d)^2 has no cubic term:
 ;; t^4 + 2 p t^2 + 4 q t + s, p = (o.o - R^2 - r^2 + 2 R^2 dz^2 / d.d) / d.d,
@@ -100,21 +105,24 @@
                                         (fl+ (fl- (fl- oo major-squared) (fl* minor minor))
                                              (fl* twice dz)))]
                                 [q (fl* twice (fl* oz inverse-dd))])
-                           (flvector-set! r (LOCAL-O) ox)
-                           (flvector-set! r (fx+ 1 (LOCAL-O)) oy)
-                           (flvector-set! r (fx+ 2 (LOCAL-O)) oz)
-                           (flvector-set! r (LOCAL-D) dx)
-                           (flvector-set! r (fx+ 1 (LOCAL-D)) dy)
-                           (flvector-set! r (fx+ 2 (LOCAL-D)) dz)
-                           (flvector-set! r (SHIFT) shift)
-                           (flvector-set! r (QUARTIC-P) p)
-                           (flvector-set! r (QUARTIC-Q) q)
-                           (flvector-set! r (FROM) from)
-                           (flvector-set! r (HIGH) high)
-                           (fxvector-set! i (PIECE) 0)
-                           (let-tube (value slope) (ox oy oz dx dy dz from major minor)
-                             (flvector-set! r (FROM-VALUE) (if within? value (flmax 0.0 value))))
-                           #t)))))
+                          (and
+                           (representable? p q)
+                           (begin
+                             (flvector-set! r (LOCAL-O) ox)
+                             (flvector-set! r (fx+ 1 (LOCAL-O)) oy)
+                             (flvector-set! r (fx+ 2 (LOCAL-O)) oz)
+                             (flvector-set! r (LOCAL-D) dx)
+                             (flvector-set! r (fx+ 1 (LOCAL-D)) dy)
+                             (flvector-set! r (fx+ 2 (LOCAL-D)) dz)
+                             (flvector-set! r (SHIFT) shift)
+                             (flvector-set! r (QUARTIC-P) p)
+                             (flvector-set! r (QUARTIC-Q) q)
+                             (flvector-set! r (FROM) from)
+                             (flvector-set! r (HIGH) high)
+                             (fxvector-set! i (PIECE) 0)
+                             (let-tube (value slope) (ox oy oz dx dy dz from major minor)
+                               (flvector-set! r (FROM-VALUE) (if within? value (flmax 0.0 value))))
+                             #t)))))))
                    #f))))))))))
 
 ;; Writes the next root's parameter along the ray to ROOT; whether there was one.
