@@ -60,8 +60,10 @@
               (let* ([enter-xy (if (fl< enter-x enter-y) enter-y enter-x)]
                      [enter (if (fl< enter-xy enter-z) enter-z enter-xy)]
                      [leave-xy (if (fl< leave-y leave-x) leave-y leave-x)]
-                     [leave (if (fl< leave-z leave-xy) leave-z leave-xy)])
+                     [leave (if (fl< leave-z leave-xy) leave-z leave-xy)]
+                     [both (fl+ enter-y enter-z)])
                 (and (fl<= enter (fl* leave (WIDENING)))
+                     (fl= both both) ; not so where a coordinate is no number
                      (if (fl> enter 0.0)
                          (put-face-hit! r i enter
                                         (if (fl= enter enter-x) (low-or-high dx 0.0)

@@ -17,17 +17,24 @@
   (let-float3 ([oc (Float3-subtract o center)])
     (let ([b (Float3-dot oc d)])
       (let-float3 ([nearest (Float3-multiply-add oc (fl* -1.0 (fl* b inverse-dd)) d)])
-        (let ([discriminant (fl- (fl* radius radius) (Float3-length-squared nearest))])
+        (let* ([squared (fl* radius radius)]
+               [discriminant (fl- squared (Float3-length-squared nearest))])
           (if (fl>= discriminant 0.0)
               (let ([s (flsqrt (fl* dd discriminant))])
-                (if (fl< (fl+ s s) (fl* -1.0 b))
+                (if (and (fl< (fl+ s s) (fl* -1.0 b)) (fl< (fl* squared dd) (fl* b b)))
                     ;; far enough in front for the plain root to keep its digits
                     (fl* (fl* -1.0 (fl+ b s)) inverse-dd)
                     (let* ([length (Float3-length oc)]
                            [c (fl* (fl- length radius) (fl+ length radius))])
-                      (if (fl> b 0.0)
-                          (if (fl< c 0.0) (fl/ c (fl* -1.0 (fl+ b s))) +inf.0)
-                          (if (fl> c 0.0) (fl/ c (fl- s b)) (fl* (fl- s b) inverse-dd))))))
+                      (if (and (fl> b 0.0) (fl>= c 0.0))
+                          +inf.0
+                          ;; near by, b b - c dd is the better one: it does not round r r
+                          (let ([s (flsqrt (flmax 0.0 (fl- (fl* b b) (fl* c dd))))])
+                            (if (fl> b 0.0)
+                                (fl/ c (fl* -1.0 (fl+ b s)))
+                                (if (fl> c 0.0)
+                                    (fl/ c (fl- s b))
+                                    (fl* (fl- s b) inverse-dd))))))))
               +inf.0))))))
 
 ;; point: the centre. radius: positive. material: the surface.
