@@ -81,7 +81,8 @@
  ;; materials
  Material? Phong Phong? Phong-color Phong-specularity Phong-shininess Phong-reflectivity
  WORLD-SHAPE-SPECULARITY WORLD-SHAPE-SHININESS Emitter Emitter? Emitter-radiance
- Emitter-two-sided? Emitter-surface Lambertian Lambertian? Lambertian-albedo Mirror Mirror? Mirror-color
+ Emitter-two-sided? Emitter-surface Lambertian Lambertian? Lambertian-albedo Mirror Mirror?
+ Mirror-color
  Metal Metal? Metal-albedo Metal-fuzz
  Dielectric Dielectric? Dielectric-ior Dielectric-fresnel Dielectric-absorption
  Dielectric-outside-ior Plastic Plastic? Plastic-albedo Plastic-ior

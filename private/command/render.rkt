@@ -20,7 +20,7 @@
   (define quiet? (hash-ref options 'quiet #f))
   (define show? (and (not quiet?) (terminal-port? (current-error-port))))
   (define-values (world camera settings)
-    (if (mesh-file? path) (load-studio word path show?) (load-scene word path)))
+    (if (mesh-file? path) (load-studio path show?) (load-scene word path)))
   (define (option key default)
     (hash-ref options key (lambda () (hash-ref settings key default))))
   (define (named-option key default names)

@@ -5,11 +5,11 @@
 
 (provide load-studio)
 
-;; load-studio : the world, the camera and the settings in which the mesh file is shown. word: the
-;; file as the user named it. The mesh becomes 2 units large. OBJ and PLY files have y upwards, STL
+;; load-studio : the world, the camera and the settings in which the mesh file is shown. The mesh becomes 2 units large. OBJ and PLY files have y upwards, STL
 ;; files z. A file without normals is shown with smooth ones. Warnings of the reader go to standard
-;; error, a line each. show?: whether to draw progress there. Raises exn:fail:user with one line where the file cannot be read or is empty.
-(define (load-studio word path show?)
+;; error, a line each. show?: whether to draw progress there. Raises exn:fail:user with one line where
+;; the file cannot be read or is empty.
+(define (load-studio path show?)
   (define upright
     (if (regexp-match? #rx"[.](?i:stl)$" path)
         (Transform-rotate (Float3 1 0 0) #:degrees -90)
@@ -29,8 +29,6 @@
   (define bounds (ShapeKernel-bounds (Shape-kernel standing)))
   (define-values (low high) (values (corner bounds 0) (corner bounds 3)))
   (define size (apply max (map - high low)))
-  (unless (> size 0)
-    (raise-user-error (format "~a: expected a mesh with triangles, found none with an area" word)))
   (define scale (/ 2.0 size))
   (define centred
     (Transform-compose

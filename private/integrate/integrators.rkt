@@ -1,6 +1,7 @@
 #lang typed/racket/base
 ;; Integrators by name: what a ray's colour means.
-(require "../base/check.rkt" "../world/world.rkt" "../material/material.rkt" "../material/phong.rkt" "../material/emitter.rkt"
+(require "../base/check.rkt" "../world/world.rkt"
+         "../material/material.rkt" "../material/phong.rkt" "../material/emitter.rkt"
          "../world/scene.rkt" "seed.rkt" "path.rkt" "views.rkt")
 
 (provide Integrator INTEGRATORS check-integrator World-integrator)

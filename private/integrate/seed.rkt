@@ -23,7 +23,8 @@
 (: pack-materials (-> (Vectorof Material) FlVector))
 (define (pack-materials materials)
   (define packed (make-flvector (fx* (STRIDE) (vector-length materials)) 0.0))
-  (for ([material (in-vector materials)] [k : Nonnegative-Fixnum (in-range (vector-length materials))])
+  (for ([material (in-vector materials)]
+        [k : Nonnegative-Fixnum (in-range (vector-length materials))])
     (define at (fx* (STRIDE) k))
     (Float3-put! packed at (Material-color material))
     (cond

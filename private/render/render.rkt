@@ -29,19 +29,23 @@
 ;; render : the picture of a world through a camera. #:width and #:height in pixels. #:samples
 ;; camera rays a pixel. #:integrator one of INTEGRATORS. #:seed any whole number of 32 bits; the
 ;; same seed gives the same picture, to the bit, whatever the schedule, workers and tile.
-;; #:max-depth bounces of a path, #f for no limit. #:schedule one of SCHEDULES. #:crop (list x y width height) renders only that part.
+;; #:max-depth bounces of a path, #f for no limit. #:schedule one of SCHEDULES. #:crop (list x y width
+;; height) renders only that part.
 ;; Raises exn:fail:contract on sizes and counts out of range.
 (: render (->* (World Camera)
                (#:width Integer #:height Integer #:samples Integer #:seed Integer
-                #:integrator Symbol #:max-depth (U #f Integer) #:schedule Symbol #:workers Integer #:tile Integer
+                #:integrator Symbol #:max-depth (U #f Integer)
+                #:schedule Symbol #:workers Integer #:tile Integer
                 #:crop (U #f (List Integer Integer Integer Integer)))
                Image))
 (define (render world camera #:width [width 640] #:height [height 360] #:samples [samples 16]
                 #:seed [seed 0] #:integrator [integrator 'auto] #:max-depth [max-depth #f]
-                #:schedule [schedule 'futures] #:workers [workers (default-worker-count)] #:tile [tile 16] #:crop [crop #f])
+                #:schedule [schedule 'futures] #:workers [workers (default-worker-count)]
+                #:tile [tile 16] #:crop [crop #f])
   (define-values (image statistics)
     (render/statistics world camera #:width width #:height height #:samples samples #:seed seed
-                       #:integrator integrator #:max-depth max-depth #:schedule schedule #:workers workers #:tile tile
+                       #:integrator integrator #:max-depth max-depth
+                       #:schedule schedule #:workers workers #:tile tile
                        #:crop crop))
   image)
 
@@ -50,7 +54,8 @@
 (: render/statistics
    (->* (World Camera)
         (#:width Integer #:height Integer #:samples Integer #:seed Integer
-         #:integrator Symbol #:max-depth (U #f Integer) #:schedule Symbol #:workers Integer #:tile Integer
+         #:integrator Symbol #:max-depth (U #f Integer)
+         #:schedule Symbol #:workers Integer #:tile Integer
          #:crop (U #f (List Integer Integer Integer Integer))
          #:watch (-> (-> Real) (-> Void)))
         (Values Image Statistics)))

@@ -17,7 +17,8 @@
 ;; unbounded: primitives without a box, tried for every ray. kernels: by primitive, #f for
 ;; spheres. primitive-materials: index into materials by primitive. extent: the largest coordinate.
 (struct Scene
-  ([bounds : FlVector] [links : FxVector] [order : FxVector] [spheres : FlVector] [primitive-spheres : FlVector]
+  ([bounds : FlVector] [links : FxVector] [order : FxVector]
+   [spheres : FlVector] [primitive-spheres : FlVector]
    [only-spheres? : Boolean] [unbounded : FxVector]
    [kernels : (Vectorof (U #f ShapeKernel))]
    [primitive-materials : FxVector] [materials : (Vectorof Material)]
