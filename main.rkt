@@ -22,7 +22,8 @@
            "private/light/spot.rkt"
            "private/world/ray.rkt" "private/world/camera.rkt" "private/world/background.rkt"
            "private/world/world.rkt" "private/integrate/query.rkt"
-           "private/render/render.rkt" "private/image/image.rkt" "private/image/write.rkt")
+           "private/sample/sampler.rkt" "private/render/render.rkt" "private/image/image.rkt"
+           "private/image/error.rkt" "private/image/write.rkt")
           "private/surface.rkt"))
 
 (provide
@@ -103,4 +104,5 @@
  World-background-color World-nearest-hit World-occluded? World-ray-trace World-get-color-at
  World-get-ambient-percent WORLD-AMBIENT-SAMPLES WORLD-MAX-OCCLUSION-DISTANCE
  ;; pictures
- render Image? Image-width Image-height Image-pixels Image-pixel Image-write Image-read)
+ render sample-point Image? Image-width Image-height Image-pixels Image-pixel Image-write
+ Image-read Image-standard-error Image-relative-error Image-relative-error-uncertainty)

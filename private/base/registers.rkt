@@ -63,9 +63,10 @@
   [accept-ties 1]
   ;; nesting: level of instances entered, first free place of the traversal stack
   [nest-level 1] [stack-base 1]
-  ;; the sampler: hash of (pixel, seed), sample index, next dimension; a fold over many samples
-  [sampler-key 1] [sampler-index 1] [sampler-dimension 1]
-  [fold-start 1] [fold-seed-u 1] [fold-seed-v 1]
+  ;; the sampler: its number and the size of its grid; hash of (pixel, seed), sample index, next
+  ;; dimension; a fold over many samples
+  [sampler-kind 1] [sampler-count 1] [sampler-key 1] [sampler-index 1] [sampler-dimension 1]
+  [fold-start 1] [fold-count 1] [fold-seed-u 1] [fold-seed-v 1]
   ;; what was counted: rays asked for their nearest hit, occlusion rays, rejected samples; and of
   ;; these the first pixel's number plus 1 (0 for none) and its first sample
   [nearest-rays 1] [occlusion-rays 1] [rejected-samples 1] [rejected-pixel 1] [rejected-sample 1]

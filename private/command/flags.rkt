@@ -38,9 +38,22 @@
                     (cons 'size (check-size flag text (text->naturals text #rx"x"))))
                  ("Width and height in pixels; by default the scene's, else 640x360" "WxH")]
      [("--samples") ,(count-flag 'samples check-samples)
-                    ("Camera rays for a pixel; by default the scene's, else 16" "n")]
+                    (("Camera rays for a pixel; by default the scene's, else 16."
+                      "With --error or --seconds the most for a pixel, by default 65536")
+                     "n")]
+     [("--error") ,(lambda (flag text) (cons 'error (check-error flag text (text->part text))))
+                  (("Go on until the picture's estimated RMSE is this part of its mean,"
+                    "such as 0.01 or 1%, with samples where they pay")
+                   "e")]
+     [("--seconds") ,(lambda (flag text)
+                       (cons 'seconds (check-seconds flag text (text->positive text))))
+                    ("The best picture in that time" "s")]
      [("--seed") ,(count-flag 'seed check-seed)
                  ("Another seed gives another noise; by default the scene's, else 0" "n")]
+     [("--sampler") ,(name-flag 'sampler)
+                    (("How samples are spread: owen-sobol (the default), independent,"
+                      "stratified or r2")
+                     "name")]
      [("--integrator") ,(name-flag 'integrator)
                        (("What a pixel shows:"
                          "auto, path, seed, ambient-occlusion, normals or depth")

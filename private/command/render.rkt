@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Rendering a scene to a picture file: what can be wrong is checked before the first ray.
 (require racket/lazy-require "values.rkt" "scenes.rkt" "load.rkt" "progress.rkt" "report.rkt"
-         "../integrate/integrators.rkt" "../render/render.rkt" "../image/image.rkt"
+         "../integrate/integrators.rkt" "../sample/sampler.rkt"
+         "../render/render.rkt" "../render/statistics.rkt" "../image/image.rkt"
          "../image/write.rkt")
 
 (lazy-require ["studio.rkt" (load-studio)]
@@ -28,10 +29,13 @@
       (if (hash-has-key? options key) (format "--~a" key) (format "~a: settings, '~a" word key)))
     (check-name what (option key default) names))
   (define size (option 'size '(640 360)))
-  (define samples (option 'samples 16))
+  ;; a goal that is asked for goes before the scene's samples; samples beside it are the most
+  (define goal? (or (hash-has-key? options 'error) (hash-has-key? options 'seconds)))
+  (define samples (if goal? (hash-ref options 'samples #f) (option 'samples 16)))
   (define seed (option 'seed 0))
   (define crop (check-crop "--crop" (option 'crop #f) size))
   (define integrator (named-option 'integrator 'auto INTEGRATORS))
+  (define sampler (named-option 'sampler 'owen-sobol SAMPLERS))
   (define schedule (named-option 'schedule 'futures SCHEDULES))
   (define workers (option 'workers (default-worker-count)))
   (define-values (image statistics)
@@ -42,7 +46,9 @@
                                                (format "~a: ~a" word (exn-message e))))])
          (parameterize ([current-output-port (current-error-port)])
            (render/statistics world camera #:width (car size) #:height (cadr size)
-                              #:samples samples #:seed seed #:crop crop #:integrator integrator
+                              #:samples samples #:error (hash-ref options 'error #f)
+                              #:seconds (hash-ref options 'seconds #f)
+                              #:seed seed #:crop crop #:sampler sampler #:integrator integrator
                               #:max-depth (option 'max-depth #f)
                               #:schedule schedule #:workers workers #:tile (option 'tile 16)
                               #:watch watch))))))
@@ -50,8 +56,9 @@
   (define report
     (render-report (hasheq 'scene word 'file output
                            'width (Image-width image) 'height (Image-height image)
-                           'seed seed 'integrator integrator
-                           'schedule schedule 'workers workers)
+                           'seed seed 'sampler sampler 'integrator integrator
+                           'schedule schedule 'workers workers
+                           'stoppedBy (Statistics-stopped-by statistics))
                    statistics))
   (unless quiet? (report-line report))
   (when (option 'stats #f)

@@ -19,7 +19,10 @@
    about
    (list
     (list 'pixels "pixels" (Statistics-pixels statistics))
-    (list 'samples "samples per pixel" (Statistics-samples statistics))
+    (list 'samples "samples per pixel" (samples-per-pixel statistics))
+    (list 'passes "passes" (Statistics-passes statistics))
+    (list 'relativeError "relative error (estimated RMSE / mean)" (Statistics-error statistics))
+    (list 'relativeErrorUncertainty "its standard error" (Statistics-error-uncertainty statistics))
     (list 'nearestRays "nearest-hit rays" (Statistics-nearest-rays statistics))
     (list 'occlusionRays "occlusion rays" (Statistics-occlusion-rays statistics))
     (list 'raysPerPixel "rays per pixel"
@@ -33,6 +36,11 @@
     (list 'peakMebibytes "peak memory, MiB" (peak-mebibytes)))
    (Statistics-first-rejected statistics)))
 
+;; A whole number where every pixel has as many.
+(define (samples-per-pixel statistics)
+  (define mean (/ (Statistics-samples statistics) (Statistics-pixels statistics)))
+  (if (integer? mean) mean (exact->inexact mean)))
+
 (define (report-value report key)
   (caddr (assq key (report-rows report))))
 
@@ -40,9 +48,14 @@
 (define (report-line report)
   (define about (report-about report))
   (define rejected (report-value report 'rejectedSamples))
-  (eprintf "~a: ~ax~a, ~a a pixel, ~a s~a\n"
+  (define error (report-value report 'relativeError))
+  (eprintf "~a: ~ax~a, ~a a pixel~a~a, ~a s~a\n"
            (hash-ref about 'file) (hash-ref about 'width) (hash-ref about 'height)
            (count-text (report-value report 'samples) "sample")
+           (if error (format ", error ~a%" (significant-text (* 100 error) 2)) "")
+           (if (eq? 'most-samples (hash-ref about 'stoppedBy))
+               " (stopped by the most samples a pixel may have)"
+               "")
            (number-text (+ (report-value report 'buildSeconds) (report-value report 'seconds)))
            (if (zero? rejected)
                ""
@@ -55,7 +68,16 @@
   (format "--crop ~a,~a,1,1 --seed ~a" (car at) (cadr at) (hash-ref about 'seed)))
 
 (define (count-text count noun)
-  (format "~a ~a~a" count noun (if (= count 1) "" "s")))
+  (format "~a ~a~a" (if (exact-integer? count) count (real->decimal-string count 1))
+          noun (if (= count 1) "" "s")))
+
+;; A positive number with so many digits that are not leading zeros.
+(define (significant-text number digits)
+  (define power (if (positive? number) (floor (/ (log number) (log 10))) 0))
+  (define places (- digits 1 (inexact->exact power)))
+  (if (positive? places)
+      (real->decimal-string number places)
+      (number->string (inexact->exact (round number)))))
 
 ;; A table on standard error.
 (define (report-table report)
@@ -79,6 +101,7 @@
 (define (number-text number)
   (cond [(not number) "unknown"]
         [(exact-integer? number) (number->string number)]
+        [(< 0 number 0.1) (significant-text number 3)]
         [else (real->decimal-string number 2)]))
 
 ;; ----------------------------------------------------------------------------------------------

@@ -1,8 +1,9 @@
 #lang racket/base
 ;; What may be asked of a render, by a flag or by a scene's settings: each check returns the value
 ;; or raises one line that says what it was for, what was given and what is expected.
-(provide check-size check-samples check-seed check-workers check-tile check-max-depth
-         check-crop check-name unexpected text->natural text->naturals)
+(provide check-size check-samples check-error check-seconds check-seed check-workers check-tile
+         check-max-depth check-crop check-name unexpected
+         text->natural text->naturals text->positive text->part)
 
 (define LONGEST-SIDE 100000)
 (define MOST-PIXELS (expt 2 28))
@@ -25,6 +26,15 @@
   count)
 
 (define check-samples (check-count 1 1000000000))
+(define ((check-positive most expected) what given value)
+  (unless (and value (<= value most))
+    (unexpected what given expected))
+  value)
+
+(define check-error
+  (check-positive 10.0 "a positive number up to 10, such as 0.01 or 1%"))
+(define check-seconds
+  (check-positive 1e9 "a positive number of seconds, such as 60"))
 (define check-seed (check-count 0 #xFFFFFFFF))
 (define check-workers (check-count 1 1024))
 (define check-tile (check-count 1 LONGEST-SIDE))
@@ -71,3 +81,17 @@
 ;; text->naturals : the list of what stands between the separators, #f for what is no number.
 (define (text->naturals text separator)
   (map text->natural (regexp-split separator text)))
+
+;; text->positive : the positive number in decimals, or #f.
+(define (text->positive text)
+  (define number
+    (and (regexp-match? #px"^[0-9]{0,18}([.][0-9]{0,18})?(e-?[0-9]{1,2})?$" text)
+         (string->number text 10)))
+  (and number (positive? number) (exact->inexact number)))
+
+;; text->part : the same, where 1% is 0.01.
+(define (text->part text)
+  (define percent (regexp-match #rx"^(.*)%$" text))
+  (cond
+    [percent (let ([number (text->positive (cadr percent))]) (and number (/ number 100.0)))]
+    [else (text->positive text)]))

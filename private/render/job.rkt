@@ -2,22 +2,36 @@
 ;; What to render, as one immutable value; a schedule decides how. Any worker that has the job can
 ;; render any of its tiles, and gets the same pixels.
 (require "../base/unsafe.rkt" "../world/world.rkt" "../world/camera.rkt"
-         "../integrate/integrators.rkt" "pixel.rkt")
+         "../integrate/integrators.rkt" "../sample/sampler.rkt" "film.rkt" "pixel.rkt")
 
 (provide (struct-out Job) Job-tile-count Job-film-size Job-worker)
 
+;; samples: how many a pixel gets, #f where the film says it pass by pass.
 (struct Job ([world : World] [camera : Camera] [tiling : Tiling]
-             [samples : Fixnum] [seed : Fixnum] [integrator : Symbol] [max-depth : (U #f Fixnum)])
+             [samples : (U #f Fixnum)] [seed : Fixnum] [sampler : Symbol]
+             [integrator : Symbol] [max-depth : (U #f Fixnum)])
   #:transparent)
 
 (: Job-tile-count (-> Job Fixnum))
 (define (Job-tile-count job) (tile-count (Job-tiling job)))
 
-;; Flonums in the film: three a pixel of the rendered part.
+;; Flonums in the film of the rendered part.
 (: Job-film-size (-> Job Fixnum))
 (define (Job-film-size job)
   (define crop (Tiling-crop (Job-tiling job)))
-  (fx* 3 (fx* (caddr crop) (cadddr crop))))
+  (fx* (PIXEL-PLACES) (fx* (caddr crop) (cadddr crop))))
+
+;; The samples of one grid of the stratified sampler: one stream's of all samples, where they are few
+;; enough and known.
+(define-syntax-rule (MOST-CELLS) 4096)
+(define-syntax-rule (ADAPTIVE-CELLS) 16)
+(: Job-grid (-> Job Fixnum))
+(define (Job-grid job)
+  (define samples (Job-samples job))
+  (cond
+    [(not samples) (ADAPTIVE-CELLS)]
+    [(< samples (fx* 2 (MOST-CELLS))) (fxrshift (fx+ samples 1) 1)]
+    [else (MOST-CELLS)]))
 
 ;; A worker with a scratch of its own: a procedure that renders the tile it is given into the film,
 ;; and the registers that count what it did.
@@ -26,7 +40,8 @@
   (define tiling (Job-tiling job))
   (define width (Tiling-width tiling))
   (define height (Tiling-height tiling))
-  (make-tile-worker tiling (Job-samples job) (Job-seed job)
+  (make-tile-worker tiling (eqv? 1 (Job-samples job))
+                    (sampler-number (Job-sampler job)) (Job-grid job) (Job-seed job)
                     (Camera-kernel (Camera-fitted (Job-camera job) (/ width height)) width height)
                     (World-integrator (Job-world job) (Job-integrator job) (Job-max-depth job))
                     film))

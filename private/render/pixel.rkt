@@ -1,7 +1,7 @@
 #lang typed/racket/base
-;; A pixel as a fold over its samples: camera ray, integrator, mean.
+;; A pixel as a fold over its samples: camera ray, integrator, sums on the film.
 (require "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt"
-         "../sample/sampler.rkt")
+         "../sample/hash.rkt" "../sample/sampler.rkt" "film.rkt")
 
 (provide make-tile-worker (struct-out Tiling) tile-count)
 
@@ -19,16 +19,19 @@
   (fx* (ceiling-quotient (caddr crop) (Tiling-tile tiling))
        (ceiling-quotient (cadddr crop) (Tiling-tile tiling))))
 
-;; A worker: a procedure that renders the tile it is given into `film`, and the fixnum scratch that
-;; holds its counts. It shares nothing it writes with other workers but places of the film that are
-;; its tile's alone. One sample a pixel goes through the pixel's middle, more are spread over it.
-(: make-tile-worker (-> Tiling Fixnum Fixnum (-> FlVector FxVector Void)
+;; A worker: a procedure that brings the pixels of the tile it is given to the samples the film wants,
+;; and the fixnum scratch that holds its counts. It shares nothing it writes with other workers but
+;; places of the film that are its tile's alone. Samples belong by turns to two streams, which are
+;; randomised independently. Where one sample is all a pixel will have (single?) it goes through the
+;; pixel's middle, otherwise samples are spread over it.
+(: make-tile-worker (-> Tiling Boolean Fixnum Fixnum Fixnum (-> FlVector FxVector Void)
                         (-> FlVector FxVector Void) FlVector
                         (Values (-> Fixnum Void) FxVector)))
-(define (make-tile-worker tiling samples seed camera-kernel integrator film)
+(define (make-tile-worker tiling single? sampler grid seed camera-kernel integrator film)
   (define r (make-flonum-registers))
   (define i (make-fixnum-registers))
-  (define sums (make-flvector 6 0.0))
+  (define sums (make-flvector SUMS-SIZE 0.0))
+  (define second-seed (hash-pair (hash32 seed) 1))
   (define width (Tiling-width tiling))
   (define tile (Tiling-tile tiling))
   (define crop (Tiling-crop tiling))
@@ -37,17 +40,22 @@
   (define right (fx+ left (caddr crop)))
   (define bottom (fx+ top (cadddr crop)))
   (define tiles-across (ceiling-quotient (caddr crop) tile))
+  (Sampler-choose! i sampler grid)
 
   (: render-pixel! (-> Fixnum Fixnum Void))
   (define (render-pixel! x y)
     (define pixel (fx+ x (fx* y width)))
-    (define place (fx* 3 (fx+ (fx- x left) (fx* (fx- y top) (fx- right left)))))
-    (start-sum! sums)
-    (let fold ([sample : Fixnum 0])
-      (when (fx< sample samples)
-        (Sampler-start! i pixel seed sample)
+    (define place
+      (fx* (PIXEL-PLACES) (fx+ (fx- x left) (fx* (fx- y top) (fx- right left)))))
+    (define taken (fl->fx (flvector-ref film (fx+ place (taken-place)))))
+    (define wanted (fl->fx (flvector-ref film (fx+ place (wanted-place)))))
+    (define rays-before (rays-traced i))
+    (start-sums! sums)
+    (let fold ([sample : Fixnum taken])
+      (when (fx< sample wanted)
+        (Sampler-start! i pixel (if (first-stream? sample) seed second-seed) (fxrshift sample 1))
         (cond
-          [(fx= samples 1)
+          [single?
            (fxvector-set! i sampler-dimension 1)
            (flvector-set! r film-x (fl+ (fx->fl x) 0.5))
            (flvector-set! r film-y (fl+ (fx->fl y) 0.5))]
@@ -57,10 +65,14 @@
            (flvector-set! r film-y (fl+ (fx->fl y) (flvector-ref r sample-v)))])
         (camera-kernel r i)
         (integrator r i)
-        (unless (add-sample! r sums)
+        (unless (acceptable? r)
+          (Float3-put! r radiance (Float3 0.0 0.0 0.0))
           (count-rejected! i pixel sample))
+        (if (first-stream? sample)
+            (add-first! r sums)
+            (add-second! r sums))
         (fold (fx+ sample 1))))
-    (put-mean! film place sums (fx->fl samples)))
+    (put-sums! film place sums wanted (fx- (rays-traced i) rays-before)))
 
   (: render-tile! (-> Fixnum Void))
   (define (render-tile! number)
@@ -77,39 +89,70 @@
         (rows (fx+ y 1)))))
   (values render-tile! i))
 
-;; The sum of the samples in three places, and what was rounded off it in three more (Kahan 1965), so
-;; that the mean of ten million is as exact as that of one.
-(define-syntax-rule (start-sum! sums)
-  (begin
-    (Float3-put! sums 0 (Float3 0.0 0.0 0.0))
-    (Float3-put! sums 3 (Float3 0.0 0.0 0.0))))
+(define-syntax-rule (first-stream? sample) (fx= 0 (fxand sample 1)))
 
-(define-syntax-rule (put-mean! film place sums count)
-  (let-syntax ([put-component!
-                (syntax-rules ()
-                  [(_ k) (flvector-set! film (fx+ place k) (fl/ (flvector-ref sums k) count))])])
-    (put-component! 0)
-    (put-component! 1)
-    (put-component! 2)))
+(define-syntax-rule (rays-traced i)
+  (fx+ (fxvector-ref i nearest-rays) (fxvector-ref i occlusion-rays)))
 
-;; Adds a sample and returns #t, unless it is no number a picture can hold.
-(define-syntax-rule (add-sample! r sums)
+;; While a pixel is rendered: the sums of both streams; what was rounded off each (Kahan 1965), so
+;; that the mean of ten million is as exact as that of one; the last sample of the first stream; and
+;; the sum of squared differences.
+(define SUMS-SIZE 16)
+(define-syntax-rule (lost-place) 6)
+(define-syntax-rule (last-place) 12)
+(define-syntax-rule (difference-place) 15)
+
+(define-syntax-rule (start-sums! sums)
+  (let clear ([k : Fixnum 0])
+    (when (fx< k SUMS-SIZE)
+      (flvector-set! sums k 0.0)
+      (clear (fx+ k 1)))))
+
+;; Whether a sample is something a picture can hold.
+(define-syntax-rule (acceptable? r)
   (let-float3 ([color (Float3-in r radiance)])
-    (if (and (fl>= (Float3-x color) 0.0) (fl>= (Float3-y color) 0.0) (fl>= (Float3-z color) 0.0)
-             (fl< (Float3-largest-component color) +inf.0))
-        (begin
-          (add-component! sums 0 (Float3-x color))
-          (add-component! sums 1 (Float3-y color))
-          (add-component! sums 2 (Float3-z color))
-          #t)
-        #f)))
+    (and (fl>= (Float3-x color) 0.0) (fl>= (Float3-y color) 0.0) (fl>= (Float3-z color) 0.0)
+         (fl< (Float3-largest-component color) +inf.0))))
+
+(define-syntax-rule (add-sample! r sums stream-place)
+  (let-float3 ([color (Float3-in r radiance)])
+    (add-component! sums stream-place (Float3-x color))
+    (add-component! sums (fx+ stream-place 1) (Float3-y color))
+    (add-component! sums (fx+ stream-place 2) (Float3-z color))))
 
 (define-syntax-rule (add-component! sums k value)
   (let* ([sum (flvector-ref sums k)]
-         [term (fl- value (flvector-ref sums (fx+ k 3)))]
+         [term (fl- value (flvector-ref sums (fx+ k (lost-place))))]
          [next (fl+ sum term)])
-    (flvector-set! sums (fx+ k 3) (fl- (fl- next sum) term))
+    (flvector-set! sums (fx+ k (lost-place)) (fl- (fl- next sum) term))
     (flvector-set! sums k next)))
+
+(define-syntax-rule (add-first! r sums)
+  (begin
+    (add-sample! r sums 0)
+    (Float3-put! sums (last-place) (Float3-in r radiance))))
+
+(define-syntax-rule (add-second! r sums)
+  (begin
+    (add-sample! r sums 3)
+    (let-float3 ([difference (Float3-subtract (Float3-in r radiance)
+                                              (Float3-in sums (last-place)))])
+      (flvector-set! sums (difference-place)
+                     (fl+ (flvector-ref sums (difference-place))
+                          (Float3-length-squared difference))))))
+
+;; Adds what this pass found to the film.
+(: put-sums! (-> FlVector Fixnum FlVector Fixnum Fixnum Void))
+(define (put-sums! film place sums wanted rays)
+  (define-syntax-rule (add-to! k amount)
+    (flvector-set! film (fx+ place k) (fl+ (flvector-ref film (fx+ place k)) amount)))
+  (let each ([k : Fixnum 0])
+    (when (fx< k 6)
+      (add-to! k (flvector-ref sums k))
+      (each (fx+ k 1))))
+  (add-to! (squares-place) (flvector-ref sums (difference-place)))
+  (add-to! (rays-place) (fx->fl rays))
+  (flvector-set! film (fx+ place (taken-place)) (fx->fl wanted)))
 
 (: count-rejected! (-> FxVector Fixnum Fixnum Void))
 (define (count-rejected! i pixel sample)

@@ -2,16 +2,13 @@
 ;; Rendering: a World seen by a Camera becomes an Image, by whatever schedule is asked for.
 (require "../base/unsafe-typed.rkt"
          "../base/unsafe.rkt" "../base/check.rkt" "../base/registers.rkt"
-         "../world/world.rkt" "../world/camera.rkt" "../image/image.rkt"
-         "../integrate/integrators.rkt" "pixel.rkt" "job.rkt" "statistics.rkt")
+         "../world/world.rkt" "../world/camera.rkt" "../image/image.rkt" "../image/error.rkt"
+         "../integrate/integrators.rkt" "../sample/sampler.rkt"
+         "film.rkt" "passes.rkt" "pixel.rkt" "job.rkt" "statistics.rkt")
 
-(provide render render/statistics SCHEDULES default-worker-count)
+(provide render render/statistics SCHEDULES default-worker-count MOST-SAMPLES)
 
-(define-type TileCounter Any)
-(define-type Schedule (-> Job FlVector Fixnum TileCounter (Listof FxVector)))
-(unsafe-require/typed "schedule/tiles.rkt"
-  [make-tile-counter (-> Fixnum TileCounter)]
-  [tiles-taken (-> TileCounter Fixnum)])
+(define-type Schedule (-> Job FlVector Fixnum (-> Any) (Listof FxVector)))
 (unsafe-require/typed "schedule/sequential.rkt" [run-sequential Schedule])
 (unsafe-require/typed "schedule/futures.rkt" [run-futures Schedule])
 (unsafe-require/typed "schedule/lazy.rkt" [run-places Schedule])
@@ -26,54 +23,67 @@
 (: default-worker-count (-> Positive-Fixnum))
 (define (default-worker-count) (processor-count))
 
-;; render : the picture of a world through a camera. #:width and #:height in pixels. #:samples
-;; camera rays a pixel. #:integrator one of INTEGRATORS. #:seed any whole number of 32 bits; the
-;; same seed gives the same picture, to the bit, whatever the schedule, workers and tile.
-;; #:max-depth bounces of a path, #f for no limit. #:schedule one of SCHEDULES. #:crop (list x y width
-;; height) renders only that part.
-;; Raises exn:fail:contract on sizes and counts out of range.
+;; render : the picture of a world through a camera, with its standard error. #:width and #:height in
+;; pixels. #:samples camera rays a pixel, 16 unless said otherwise. Or #:error: the RMSE relative to
+;; the picture's mean at which to stop; samples go where they lower it most. Or #:seconds: the time
+;; to use, wall-clock. With one of these #:samples is the most a pixel gets, MOST-SAMPLES by default.
+;; #:sampler one of SAMPLERS. #:integrator one of INTEGRATORS. #:seed any whole number of 32 bits; the
+;; same seed gives the same picture, to the bit, whatever the schedule, workers and tile (but not with
+;; #:seconds). #:max-depth bounces of a path, #f for no limit. #:schedule one of SCHEDULES. #:crop
+;; (list x y width height) renders only that part.
+;; Raises exn:fail:contract on numbers out of range.
 (: render (->* (World Camera)
-               (#:width Integer #:height Integer #:samples Integer #:seed Integer
-                #:integrator Symbol #:max-depth (U #f Integer)
+               (#:width Integer #:height Integer #:samples (U #f Integer)
+                #:error (U #f Real) #:seconds (U #f Real) #:seed Integer
+                #:sampler Symbol #:integrator Symbol #:max-depth (U #f Integer)
                 #:schedule Symbol #:workers Integer #:tile Integer
                 #:crop (U #f (List Integer Integer Integer Integer)))
                Image))
-(define (render world camera #:width [width 640] #:height [height 360] #:samples [samples 16]
-                #:seed [seed 0] #:integrator [integrator 'auto] #:max-depth [max-depth #f]
-                #:schedule [schedule 'futures] #:workers [workers (default-worker-count)]
-                #:tile [tile 16] #:crop [crop #f])
+(define (render world camera #:width [width 640] #:height [height 360] #:samples [samples #f]
+                #:error [error #f] #:seconds [seconds #f] #:seed [seed 0]
+                #:sampler [sampler 'owen-sobol] #:integrator [integrator 'auto]
+                #:max-depth [max-depth #f] #:schedule [schedule 'futures]
+                #:workers [workers (default-worker-count)] #:tile [tile 16] #:crop [crop #f])
   (define-values (image statistics)
-    (render/statistics world camera #:width width #:height height #:samples samples #:seed seed
+    (render/statistics world camera #:width width #:height height #:samples samples
+                       #:error error #:seconds seconds #:seed seed #:sampler sampler
                        #:integrator integrator #:max-depth max-depth
-                       #:schedule schedule #:workers workers #:tile tile
-                       #:crop crop))
+                       #:schedule schedule #:workers workers #:tile tile #:crop crop))
   image)
 
 ;; The same with Statistics beside the picture. #:watch is called at the start with a procedure
 ;; that tells the part that is done, from 0 to 1, and returns a procedure called at the end.
 (: render/statistics
    (->* (World Camera)
-        (#:width Integer #:height Integer #:samples Integer #:seed Integer
-         #:integrator Symbol #:max-depth (U #f Integer)
+        (#:width Integer #:height Integer #:samples (U #f Integer)
+         #:error (U #f Real) #:seconds (U #f Real) #:seed Integer
+         #:sampler Symbol #:integrator Symbol #:max-depth (U #f Integer)
          #:schedule Symbol #:workers Integer #:tile Integer
          #:crop (U #f (List Integer Integer Integer Integer))
          #:watch (-> (-> Real) (-> Void)))
         (Values Image Statistics)))
 (define (render/statistics world camera #:width [width 640] #:height [height 360]
-                           #:samples [samples 16] #:seed [seed 0] #:integrator [integrator 'auto]
-                           #:max-depth [max-depth #f] #:schedule [schedule 'futures]
+                           #:samples [samples #f] #:error [error #f] #:seconds [seconds #f]
+                           #:seed [seed 0] #:sampler [sampler 'owen-sobol]
+                           #:integrator [integrator 'auto] #:max-depth [max-depth #f]
+                           #:schedule [schedule 'futures]
                            #:workers [workers (default-worker-count)] #:tile [tile 16]
                            #:crop [crop #f] #:watch [watch (lambda (done) void)])
   (define columns (check-count 'render "width" width 1 100000))
   (define rows (check-count 'render "height" height 1 100000))
-  (define sample-count (check-count 'render "samples" samples 1 1000000000))
+  (define goal
+    (Goal (check-count 'render "samples" (or samples (if (or error seconds) MOST-SAMPLES 16))
+                       1 1000000000)
+          (and error (check-positive 'render "error" error))
+          (and seconds (check-positive 'render "seconds" seconds))))
   (define tile-side (check-count 'render "tile" tile 1 100000))
   (define worker-count (check-count 'render "workers" workers 1 1024))
   (define seed32 (check-count 'render "seed" seed 0 #xFFFFFFFF))
   (define area : (List Fixnum Fixnum Fixnum Fixnum)
     (if crop (check-crop crop columns rows) (list 0 0 columns rows)))
   (define tiling (Tiling columns rows tile-side area))
-  (define job (Job world camera tiling sample-count seed32 integrator
+  (define job (Job world camera tiling (if (or error seconds) #f (Goal-samples goal)) seed32 sampler
+                   integrator
                    (and max-depth (check-count 'render "max-depth" max-depth 0 1000000000))))
   (define run
     (case schedule
@@ -82,6 +92,7 @@
       [(places) run-places]
       [else (raise-expected 'render "schedule" (format "one of ~a" SCHEDULES) schedule)]))
   (check-integrator integrator)
+  (sampler-number sampler)
   (define start (current-inexact-milliseconds))
   (unless (eq? schedule 'places) (World-scene world))
   (define built (current-inexact-milliseconds))
@@ -90,19 +101,21 @@
     (if (eq? schedule 'places)
         (make-shared-flvector (Job-film-size job))
         (make-flvector (Job-film-size job) 0.0)))
-  (define counter (make-tile-counter (Job-tile-count job)))
-  (define finish
-    (watch (lambda () (/ (tiles-taken counter) (Job-tile-count job)))))
-  (define counts (run job film worker-count counter))
+  (define passes (make-passes film (caddr area) (Job-tile-count job) goal))
+  (define finish (watch (Passes-progress passes)))
+  (define counts (run job film worker-count (Passes-next passes)))
   (finish)
   (: total (-> Fixnum Fixnum))
   (define (total place)
     (for/fold ([sum : Fixnum 0]) ([i (in-list counts)]) (fx+ sum (fxvector-ref i place))))
+  (define image (Film-image film (caddr area) (cadddr area)))
   (values
-   (make-Image (caddr area) (cadddr area) film)
-   (Statistics (fx* (caddr area) (cadddr area)) sample-count
+   image
+   (Statistics (fx* (caddr area) (cadddr area)) (fl->fx (Film-samples film))
                (total nearest-rays) (total occlusion-rays) (total rejected-samples)
                (first-rejected counts columns)
+               (Image-relative-error image) (Image-relative-error-uncertainty image)
+               ((Passes-count passes)) ((Passes-stopped-by passes))
                (fl/ (fl- built start) 1000.0)
                (fl/ (fl- (current-inexact-milliseconds) built) 1000.0)
                (fl/ (fx->fl (fx- (current-process-milliseconds) processor-start)) 1000.0))))

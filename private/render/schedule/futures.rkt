@@ -4,14 +4,22 @@
 
 (provide run-futures)
 
-;; run-futures : as run-sequential, by as many workers as asked for. Each worker is a future, and
-;; each future is touched by a thread of its own: if a scene's function does what a future may not,
-;; it goes on in that thread. The first exception stops the others and is raised again here; so is
-;; a break.
-(define (run-futures job film workers counter)
+;; run-futures : as run-sequential, by as many workers as asked for.
+(define (run-futures job film workers next-pass)
   (define-values (procedures counts)
     (for/lists (procedures counts) ([k (in-range workers)])
       (Job-worker job film)))
+  (let pass ()
+    (define counter (next-pass))
+    (when counter
+      (run-pass procedures counter)
+      (pass)))
+  counts)
+
+;; Each worker is a future, and each future is touched by a thread of its own: if a scene's function
+;; does what a future may not, it goes on in that thread. The first exception stops the others and is
+;; raised again here; so is a break.
+(define (run-pass procedures counter)
   (define failure (box #f))
   (define futures
     (for/list ([render-tile! (in-list procedures)])
@@ -30,5 +38,4 @@
                                 (wait)
                                 (raise e))])
     (wait))
-  (when (unbox failure) (raise (unbox failure)))
-  counts)
+  (when (unbox failure) (raise (unbox failure))))

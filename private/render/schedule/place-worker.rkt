@@ -4,16 +4,17 @@
 
 (provide main)
 
+;; After the job come the numbers of tiles, each answered when it is rendered, and in the end #f,
+;; answered by what was counted.
 (define (main channel)
   (define order (place-channel-get channel))
-  (with-handlers ([exn:fail? (lambda (e)
-                               (place-channel-put channel (cons 'failed (exn-message e))))])
-    (define job (message->value (car order)))
-    (define-values (render-tile! counts) (Job-worker job (cadr order)))
+  (define (answer kind value) (place-channel-put channel (cons kind value)))
+  (with-handlers ([exn:fail? (lambda (e) (answer 'failed (exn-message e)))])
+    (define-values (render-tile! counts) (Job-worker (message->value (car order)) (cadr order)))
     (let loop ()
-      (place-channel-put channel 'next)
       (define tile (place-channel-get channel))
       (when tile
         (render-tile! tile)
+        (answer 'rendered #t)
         (loop)))
-    (place-channel-put channel (cons 'counts (for/list ([n (in-fxvector counts)]) n)))))
+    (answer 'counts (for/list ([n (in-fxvector counts)]) n))))

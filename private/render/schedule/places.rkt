@@ -10,43 +10,57 @@
 
 ;; run-places : as run-futures. `film` must be a shared flvector. A worker asks for a tile, renders
 ;; it and asks again; what it raises stops all of them and is raised here.
-(define (run-places job film workers counter)
+(define (run-places job film workers next-pass)
   (define message (value->message job))
   (define places
     (for/list ([k (in-range workers)])
       (define channel (dynamic-place place-worker 'main))
       (place-channel-put channel (list message film))
       channel))
-  (define failure (box #f))
-  (define results
-    (for/list ([channel (in-list places)]) (box #f)))
-  (define threads
-    (for/list ([channel (in-list places)] [result (in-list results)])
-      (thread (lambda () (serve channel result failure counter)))))
   (dynamic-wind
    void
-   (lambda () (for-each thread-wait threads))
    (lambda ()
-     (tile-counter-stop! counter)
-     (for-each place-kill places)))
-  (when (unbox failure) (error 'render (unbox failure)))
-  (for/list ([result (in-list results)]) (list->fxvector (unbox result))))
+     (let pass ()
+       (define counter (next-pass))
+       (when counter
+         (for-each-place places (lambda (channel fail!) (serve channel fail! counter))
+                         (lambda () (tile-counter-stop! counter)))
+         (pass)))
+     (define counts (make-hasheq))
+     (for-each-place places (lambda (channel fail!)
+                              (define answer (ask channel #f fail!))
+                              (when answer (hash-set! counts channel answer)))
+                     void)
+     (for/list ([channel (in-list places)])
+       (apply fxvector (hash-ref counts channel))))
+   (lambda () (for-each place-kill places))))
 
-;; Hands tiles to one place until there are none, then takes what it counted.
-(define (serve channel result failure counter)
+;; Does the same with every place at once, in a thread for each; the first that fails ends it.
+(define (for-each-place places act stop!)
+  (define failure (box #f))
   (define (fail! message)
     (box-cas! failure #f message)
-    (tile-counter-stop! counter))
-  (let loop ()
-    (define event (sync channel (handle-evt (place-dead-evt channel) (lambda (e) 'dead))))
-    ;; a place that ended may have spoken before
-    (define request (if (eq? event 'dead) (or (sync/timeout 0 channel) 'dead) event))
-    (cond
-      [(eq? request 'next)
-       (place-channel-put channel (take-tile! counter))
-       (loop)]
-      [(eq? request 'dead) (fail! "a worker place ended by itself")]
-      [(eq? (car request) 'counts) (set-box! result (cdr request))]
-      [else (fail! (cdr request))])))
+    (stop!))
+  (define threads
+    (for/list ([channel (in-list places)])
+      (thread (lambda () (act channel fail!)))))
+  (with-handlers ([exn:break? (lambda (e) (stop!) (raise e))])
+    (for-each thread-wait threads))
+  (when (unbox failure) (error 'render (unbox failure))))
 
-(define (list->fxvector numbers) (apply fxvector numbers))
+;; Hands tiles to one place until there are none in this pass.
+(define (serve channel fail! counter)
+  (define tile (take-tile! counter))
+  (when (and tile (ask channel tile fail!))
+    (serve channel fail! counter)))
+
+;; Sends a tile, or #f for "no more", and waits for the answer; #f where there is none.
+(define (ask channel tile fail!)
+  (place-channel-put channel tile)
+  (define event (sync channel (handle-evt (place-dead-evt channel) (lambda (e) 'dead))))
+  ;; a place that ended may have spoken before
+  (define answer (if (eq? event 'dead) (or (sync/timeout 0 channel) 'dead) event))
+  (cond
+    [(eq? answer 'dead) (fail! "a worker place ended by itself") #f]
+    [(eq? (car answer) 'failed) (fail! (cdr answer)) #f]
+    [else (cdr answer)]))

@@ -4,8 +4,14 @@
 
 (provide run-sequential)
 
-;; run-sequential : renders every tile of the job into the film; a list of what workers counted.
-(define (run-sequential job film workers counter)
+;; run-sequential : renders the job into the film, pass by pass; a list of what workers counted.
+;; next-pass gives the counter of the tiles of another pass, or #f when there is none; it is called
+;; when the workers have finished the last one.
+(define (run-sequential job film workers next-pass)
   (define-values (render-tile! counts) (Job-worker job film))
-  (work render-tile! counter)
+  (let pass ()
+    (define counter (next-pass))
+    (when counter
+      (work render-tile! counter)
+      (pass)))
   (list counts))
