@@ -83,7 +83,10 @@
 (define (report-table report)
   (define rows
     (for/list ([row (in-list (report-rows report))])
-      (cons (cadr row) (number-text (caddr row)))))
+      (cons (cadr row)
+            (if (and (memq (car row) '(relativeError relativeErrorUncertainty)) (caddr row))
+                (significant-text (caddr row) 3)
+                (number-text (caddr row))))))
   (define (widest part) (apply max (map (lambda (row) (string-length (part row))) rows)))
   (define (spaces count) (make-string count #\space))
   (for ([row (in-list rows)])
@@ -101,7 +104,6 @@
 (define (number-text number)
   (cond [(not number) "unknown"]
         [(exact-integer? number) (number->string number)]
-        [(< 0 number 0.1) (significant-text number 3)]
         [else (real->decimal-string number 2)]))
 
 ;; ----------------------------------------------------------------------------------------------

@@ -20,7 +20,7 @@
            (apply run-command folder (append settings (list "--workers" workers "-o" "a.ppm"))))
          (check-equal? (outcome-code result) 0)
          (check-equal? (outcome-output result) #"")
-         (check-regexp-match #px"^a.ppm: 64x36, 2 samples a pixel, [0-9.]+ s\n$"
+         (check-regexp-match #px"^a.ppm: 64x36, 2 samples a pixel, error [0-9.]+%, [0-9.]+ s\n$"
                              (outcome-errors result))
          (sha256 "a.ppm")))
      (check-equal? sums (list (car sums) (car sums) (car sums) (car sums)))
@@ -78,7 +78,7 @@
      (check-equal? (outcome-output result) #"")
      (check-equal? (first-bytes (build-path folder "small.ppm") 11) #"P6\n8 4\n255\n")
      (check-regexp-match
-      #px"^printed by the scene\npixels +32\nsamples per pixel +3\nnearest-hit rays +[0-9]+\n"
+      #px"^printed by the scene\npixels +32\nsamples per pixel +3\npasses +1\nrelative error[^\n]+\nits standard error[^\n]+\nnearest-hit rays +[0-9]+\n"
       (outcome-errors result))
      (define statistics (call-with-input-file (build-path folder "s.json") read-json))
      (check-equal? (for/list ([key (in-list '(scene file width height samples seed pixels))])

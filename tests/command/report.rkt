@@ -34,7 +34,7 @@
   (define table (string-split (errors-of (lambda () (report-table (report-of)))) "\n"))
   (check-equal? (list-ref table 0) "pixels                                     2304")
   (check-equal? (list-ref table 7) "rays per pixel                             3.00")
-  (check-equal? (list-ref table 8) "million rays per second                  0.0138")
+  (check-equal? (list-ref table 8) "million rays per second                    0.01")
   (check-equal? (length (remove-duplicates (map string-length table))) 1)
 
   (call-with-folder
