@@ -109,9 +109,10 @@
 ;; well, but samples that are spread evenly have a mean that is nearer to the truth than so many
 ;; independent ones would be. By how much is known only roughly for a pixel, from the difference of
 ;; its two streams: so that factor is taken from the neighbourhood. And where few samples agree by
-;; chance the neighbours tell better: a pixel counts for no less than NEIGHBOUR-SHARE of theirs.
+;; chance the neighbours tell better: a pixel's variance counts for no less than their mean. (Without
+;; that, the weekend scene for an error of 5% came out 0.3% too bright and 20% above its estimate.)
 (define-syntax-rule (EFFICIENCY-RADIUS) 4)
-(define-syntax-rule (NEIGHBOUR-SHARE) 0.5)
+(define-syntax-rule (VARIANCE-RADIUS) 2)
 
 (: pixel-variances (-> FlVector Fixnum FlVector))
 (define (pixel-variances film width)
@@ -129,7 +130,7 @@
   (define-syntax-rule (sample-variance at)
     (fl/ (flvector-ref film (fx+ at (squares-place))) (taken at)))
   (define own (per-pixel (at) (sample-variance at)))
-  (define around (box-mean own width height 1))
+  (define around (box-mean own width height (VARIANCE-RADIUS)))
   (define independent
     (box-mean (per-pixel (at) (fl/ (sample-variance at) (taken at)))
               width height (EFFICIENCY-RADIUS)))
@@ -140,8 +141,7 @@
     (when (fx< k count)
       (let* ([at (fx* k (PIXEL-PLACES))]
              [to (fx* k (VARIANCE-PLACES))]
-             [spread (flmax (flvector-ref own k)
-                            (fl* (NEIGHBOUR-SHARE) (flvector-ref around k)))]
+             [spread (flmax (flvector-ref own k) (flvector-ref around k))]
              [base (flvector-ref independent k)]
              [variance (if (fl> base 0.0)
                            (fl/ (fl* spread (flvector-ref found k)) base)
