@@ -20,7 +20,7 @@
            "private/material/rough-conductor.rkt" "private/material/rough-dielectric.rkt"
            "private/light/light.rkt" "private/light/distant.rkt" "private/light/point.rkt"
            "private/light/spot.rkt"
-           "private/world/ray.rkt" "private/world/camera.rkt" "private/world/background.rkt"
+           "private/world/ray.rkt" "private/world/camera.rkt" "private/world/camera-kernel.rkt" "private/world/background.rkt"
            "private/world/world.rkt" "private/integrate/query.rkt"
            "private/sample/sampler.rkt" "private/render/render.rkt" "private/image/image.rkt"
            "private/image/error.rkt" "private/image/write.rkt")
@@ -51,7 +51,9 @@
  Intersection-color Intersection-empty INTERSECTION-T-MAX EPSILON
  ;; cameras
  Camera Camera? Camera-eye Camera-forward Camera-right Camera-up Camera-lens-radius
- Camera-focus-distance Camera-look-at Camera-global-up Camera-get-ray-direction Camera-ray
+ Camera-focus-distance Camera-look-at Camera-orthographic Camera-panoramic Camera-fisheye
+ Camera-with Camera-moving Camera-blades Camera-projection Camera-shutter-open
+ Camera-shutter-close Camera-global-up Camera-get-ray-direction Camera-ray
  ;; shapes
  Shape? Shape-intersect Sphere Sphere? Sphere-point Sphere-radius Sphere-material
  Sphere-color Sphere-intersect Shape-material

@@ -22,7 +22,8 @@
          (for-syntax racket/base))
 
 (define-surface Float3 (x y z))
-(define-surface Camera (eye forward right up lens-radius focus-distance))
+(define-surface Camera (eye forward right up lens-radius focus-distance)
+  #:struct (eye forward right up lens-radius focus-distance _ _ _ _ _ _))
 (define-surface Ray (point direction time))
 (define-surface Intersection (t point normal color))
 (define-surface Sphere (point radius material))

@@ -54,6 +54,10 @@
                     (("How samples are spread: owen-sobol (the default), independent,"
                       "stratified or r2")
                      "name")]
+     [("--filter") ,(name-flag 'filter)
+                   (("What a pixel sees of its neighbourhood: box (the default), tent,"
+                     "gaussian or blackman-harris")
+                    "name")]
      [("--integrator") ,(name-flag 'integrator)
                        (("What a pixel shows:"
                          "auto, path, seed, ambient-occlusion, normals or depth")

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Rendering a scene to a picture file: what can be wrong is checked before the first ray.
 (require racket/lazy-require "values.rkt" "scenes.rkt" "load.rkt" "progress.rkt" "report.rkt"
-         "../integrate/integrators.rkt" "../sample/sampler.rkt"
+         "../integrate/integrators.rkt" "../sample/sampler.rkt" "../sample/filter.rkt"
          "../render/render.rkt" "../render/statistics.rkt" "../image/image.rkt"
          "../image/write.rkt")
 
@@ -36,6 +36,7 @@
   (define crop (check-crop "--crop" (option 'crop #f) size))
   (define integrator (named-option 'integrator 'auto INTEGRATORS))
   (define sampler (named-option 'sampler 'owen-sobol SAMPLERS))
+  (define filter (named-option 'filter 'box FILTERS))
   (define schedule (named-option 'schedule 'futures SCHEDULES))
   (define workers (option 'workers (default-worker-count)))
   (define-values (image statistics)
@@ -48,7 +49,8 @@
            (render/statistics world camera #:width (car size) #:height (cadr size)
                               #:samples samples #:error (hash-ref options 'error #f)
                               #:seconds (hash-ref options 'seconds #f)
-                              #:seed seed #:crop crop #:sampler sampler #:integrator integrator
+                              #:seed seed #:crop crop #:sampler sampler #:filter filter
+                              #:integrator integrator
                               #:max-depth (option 'max-depth #f)
                               #:schedule schedule #:workers workers #:tile (option 'tile 16)
                               #:watch watch))))))
@@ -56,7 +58,7 @@
   (define report
     (render-report (hasheq 'scene word 'file output
                            'width (Image-width image) 'height (Image-height image)
-                           'seed seed 'sampler sampler 'integrator integrator
+                           'seed seed 'sampler sampler 'filter filter 'integrator integrator
                            'schedule schedule 'workers workers
                            'stoppedBy (Statistics-stopped-by statistics))
                    statistics))

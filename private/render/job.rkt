@@ -2,13 +2,15 @@
 ;; What to render, as one immutable value; a schedule decides how. Any worker that has the job can
 ;; render any of its tiles, and gets the same pixels.
 (require "../base/unsafe.rkt" "../world/world.rkt" "../world/camera.rkt"
+         "../world/camera-kernel.rkt" "../shape/kernels.rkt" "../sample/filter.rkt"
          "../integrate/integrators.rkt" "../sample/sampler.rkt" "film.rkt" "pixel.rkt")
 
 (provide (struct-out Job) Job-tile-count Job-film-size Job-worker)
 
-;; samples: how many a pixel gets, #f where the film says it pass by pass.
+;; samples: how many a pixel gets, #f where the film says it pass by pass. sampler, filter and
+;; integrator by name.
 (struct Job ([world : World] [camera : Camera] [tiling : Tiling]
-             [samples : (U #f Fixnum)] [seed : Fixnum] [sampler : Symbol]
+             [samples : (U #f Fixnum)] [seed : Fixnum] [sampler : Symbol] [filter : Symbol]
              [integrator : Symbol] [max-depth : (U #f Fixnum)])
   #:transparent)
 
@@ -40,8 +42,10 @@
   (define tiling (Job-tiling job))
   (define width (Tiling-width tiling))
   (define height (Tiling-height tiling))
-  (make-tile-worker tiling (eqv? 1 (Job-samples job))
+  (define world (Job-world job))
+  (make-tile-worker tiling (eqv? 1 (Job-samples job)) (Filter-table (Job-filter job))
                     (sampler-number (Job-sampler job)) (Job-grid job) (Job-seed job)
-                    (Camera-kernel (Camera-fitted (Job-camera job) (/ width height)) width height)
-                    (World-integrator (Job-world job) (Job-integrator job) (Job-max-depth job))
+                    (Camera-kernel (Camera-fitted (Job-camera job) (/ width height)) width height
+                                   (ormap Shape-moves? (World-shapes world)))
+                    (World-integrator world (Job-integrator job) (Job-max-depth job))
                     film))

@@ -1,7 +1,7 @@
 #lang typed/racket/base
 ;; A pixel as a fold over its samples: camera ray, integrator, sums on the film.
 (require "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt"
-         "../sample/hash.rkt" "../sample/sampler.rkt" "film.rkt")
+         "../sample/hash.rkt" "../sample/sampler.rkt" "../sample/filter.rkt" "film.rkt")
 
 (provide make-tile-worker (struct-out Tiling) tile-count)
 
@@ -23,11 +23,11 @@
 ;; and the fixnum scratch that holds its counts. It shares nothing it writes with other workers but
 ;; places of the film that are its tile's alone. Samples belong by turns to two streams, which are
 ;; randomised independently. Where one sample is all a pixel will have (single?) it goes through the
-;; pixel's middle, otherwise samples are spread over it.
-(: make-tile-worker (-> Tiling Boolean Fixnum Fixnum Fixnum (-> FlVector FxVector Void)
+;; pixel's middle, otherwise samples are spread as the filter's table says, over the pixel without one.
+(: make-tile-worker (-> Tiling Boolean (U #f FlVector) Fixnum Fixnum Fixnum (-> FlVector FxVector Void)
                         (-> FlVector FxVector Void) FlVector
                         (Values (-> Fixnum Void) FxVector)))
-(define (make-tile-worker tiling single? sampler grid seed camera-kernel integrator film)
+(define (make-tile-worker tiling single? filter sampler grid seed camera-kernel integrator film)
   (define r (make-flonum-registers))
   (define i (make-fixnum-registers))
   (define sums (make-flvector SUMS-SIZE 0.0))
@@ -59,6 +59,12 @@
            (fxvector-set! i sampler-dimension 1)
            (flvector-set! r film-x (fl+ (fx->fl x) 0.5))
            (flvector-set! r film-y (fl+ (fx->fl y) 0.5))]
+          [filter
+           (sample-next-pair! r i)
+           (flvector-set! r film-x (fl+ (fl+ 0.5 (fx->fl x))
+                                        (Filter-offset filter (flvector-ref r sample-u))))
+           (flvector-set! r film-y (fl+ (fl+ 0.5 (fx->fl y))
+                                        (Filter-offset filter (flvector-ref r sample-v))))]
           [else
            (sample-next-pair! r i)
            (flvector-set! r film-x (fl+ (fx->fl x) (flvector-ref r sample-u)))

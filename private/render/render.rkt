@@ -3,7 +3,7 @@
 (require "../base/unsafe-typed.rkt"
          "../base/unsafe.rkt" "../base/check.rkt" "../base/registers.rkt"
          "../world/world.rkt" "../world/camera.rkt" "../image/image.rkt" "../image/error.rkt"
-         "../integrate/integrators.rkt" "../sample/sampler.rkt"
+         "../integrate/integrators.rkt" "../sample/sampler.rkt" "../sample/filter.rkt"
          "film.rkt" "passes.rkt" "pixel.rkt" "job.rkt" "statistics.rkt")
 
 (provide render render/statistics SCHEDULES default-worker-count MOST-SAMPLES)
@@ -27,7 +27,8 @@
 ;; pixels. #:samples camera rays a pixel, 16 unless said otherwise. Or #:error: the RMSE relative to
 ;; the picture's mean at which to stop; samples go where they lower it most. Or #:seconds: the time
 ;; to use, wall-clock. With one of these #:samples is the most a pixel gets, MOST-SAMPLES by default.
-;; #:sampler one of SAMPLERS. #:integrator one of INTEGRATORS. #:seed any whole number of 32 bits; the
+;; #:sampler one of SAMPLERS. #:filter one of FILTERS: how a pixel weighs what falls near it.
+;; #:integrator one of INTEGRATORS. #:seed any whole number of 32 bits; the
 ;; same seed gives the same picture, to the bit, whatever the schedule, workers and tile (but not with
 ;; #:seconds). #:max-depth bounces of a path, #f for no limit. #:schedule one of SCHEDULES. #:crop
 ;; (list x y width height) renders only that part.
@@ -35,19 +36,20 @@
 (: render (->* (World Camera)
                (#:width Integer #:height Integer #:samples (U #f Integer)
                 #:error (U #f Real) #:seconds (U #f Real) #:seed Integer
-                #:sampler Symbol #:integrator Symbol #:max-depth (U #f Integer)
+                #:sampler Symbol #:filter Symbol #:integrator Symbol #:max-depth (U #f Integer)
                 #:schedule Symbol #:workers Integer #:tile Integer
                 #:crop (U #f (List Integer Integer Integer Integer)))
                Image))
 (define (render world camera #:width [width 640] #:height [height 360] #:samples [samples #f]
                 #:error [error #f] #:seconds [seconds #f] #:seed [seed 0]
-                #:sampler [sampler 'owen-sobol] #:integrator [integrator 'auto]
+                #:sampler [sampler 'owen-sobol] #:filter [filter 'box]
+                #:integrator [integrator 'auto]
                 #:max-depth [max-depth #f] #:schedule [schedule 'futures]
                 #:workers [workers (default-worker-count)] #:tile [tile 16] #:crop [crop #f])
   (define-values (image statistics)
     (render/statistics world camera #:width width #:height height #:samples samples
                        #:error error #:seconds seconds #:seed seed #:sampler sampler
-                       #:integrator integrator #:max-depth max-depth
+                       #:filter filter #:integrator integrator #:max-depth max-depth
                        #:schedule schedule #:workers workers #:tile tile #:crop crop))
   image)
 
@@ -57,14 +59,14 @@
    (->* (World Camera)
         (#:width Integer #:height Integer #:samples (U #f Integer)
          #:error (U #f Real) #:seconds (U #f Real) #:seed Integer
-         #:sampler Symbol #:integrator Symbol #:max-depth (U #f Integer)
+         #:sampler Symbol #:filter Symbol #:integrator Symbol #:max-depth (U #f Integer)
          #:schedule Symbol #:workers Integer #:tile Integer
          #:crop (U #f (List Integer Integer Integer Integer))
          #:watch (-> (-> Real) (-> Void)))
         (Values Image Statistics)))
 (define (render/statistics world camera #:width [width 640] #:height [height 360]
                            #:samples [samples #f] #:error [error #f] #:seconds [seconds #f]
-                           #:seed [seed 0] #:sampler [sampler 'owen-sobol]
+                           #:seed [seed 0] #:sampler [sampler 'owen-sobol] #:filter [filter 'box]
                            #:integrator [integrator 'auto] #:max-depth [max-depth #f]
                            #:schedule [schedule 'futures]
                            #:workers [workers (default-worker-count)] #:tile [tile 16]
@@ -83,7 +85,7 @@
     (if crop (check-crop crop columns rows) (list 0 0 columns rows)))
   (define tiling (Tiling columns rows tile-side area))
   (define job (Job world camera tiling (if (or error seconds) #f (Goal-samples goal)) seed32 sampler
-                   integrator
+                   filter integrator
                    (and max-depth (check-count 'render "max-depth" max-depth 0 1000000000))))
   (define run
     (case schedule
@@ -93,6 +95,7 @@
       [else (raise-expected 'render "schedule" (format "one of ~a" SCHEDULES) schedule)]))
   (check-integrator integrator)
   (sampler-number sampler)
+  (check-filter filter)
   (define start (current-inexact-milliseconds))
   (unless (eq? schedule 'places) (World-scene world))
   (define built (current-inexact-milliseconds))

@@ -50,7 +50,7 @@
          [world (make-World '() '() zero)]
          [camera (Camera-look-at up zero side)]
          [tiling (Tiling 1 1 1 '(0 0 1 1))])
-    (list zero here (World-shading world) camera tiling (Job world camera tiling 1 0 'owen-sobol 'auto #f)
+    (list zero here (World-shading world) camera tiling (Job world camera tiling 1 0 'owen-sobol 'box 'auto #f)
           (make-GradientSky zero zero)
           ball (make-Plane zero up matte) (make-Disk zero up 1 matte) (make-Quad zero up side matte)
           (make-Triangle zero up side matte) (make-Box zero (make-Float3 1 1 1) matte)

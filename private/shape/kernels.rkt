@@ -6,7 +6,7 @@
          "distance.rkt" "custom.rkt"
          "../material/material.rkt" "../base/check.rkt" "../base/float3.rkt")
 
-(provide Shape-kernel Shape-compiler Shape-material)
+(provide Shape-kernel Shape-compiler Shape-material Shape-moves?)
 
 ;; The kernel of a shape by itself.
 (: Shape-kernel (-> Shape ShapeKernel))
@@ -70,3 +70,13 @@
     [(DistanceShape? shape) (DistanceShape-material shape)]
     [(CustomShape? shape) (CustomShape-material shape)]
     [else (raise-expected 'World "shapes" "shapes of this library" shape)]))
+
+;; Whether a shape or a part of it moves while the shutter is open.
+(: Shape-moves? (-> Shape Boolean))
+(define (Shape-moves? shape)
+  (cond
+    [(not (Composite? shape)) #f]
+    [(Instance? shape) (Shape-moves? (Instance-shape shape))]
+    [(Group? shape) (ormap Shape-moves? (Group-shapes shape))]
+    [(Solid? shape) (or (Shape-moves? (Solid-a shape)) (Shape-moves? (Solid-b shape)))]
+    [else (Moving? shape)]))

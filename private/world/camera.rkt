@@ -1,34 +1,88 @@
 #lang typed/racket/base
-;; Cameras: a point with three axes, as in the article, and a thin lens if one is wanted.
+;; Cameras: a point with three axes, as in the article; a thin lens, a shutter and other projections
+;; if they are wanted. Their rays are cast in camera-kernel.rkt.
 (require (for-syntax racket/base)
-         "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/check.rkt"
-         "../base/public.rkt" "../sample/sampler.rkt" "../sample/warp.rkt" "ray.rkt")
+         "../base/unsafe.rkt" "../base/float3.rkt" "../base/check.rkt" "../base/public.rkt"
+         "../sample/warp.rkt")
 
 (provide (struct-out Camera) make-Camera Camera-global-up Camera-look-at Camera-fitted
-         Camera-get-ray-direction Camera-ray Camera-kernel)
+         Camera-with Camera-moving
+         Camera-orthographic Camera-panoramic Camera-fisheye through-plane)
 
 ;; eye: where it is. forward, right, up: from the eye to the middle of the image plane, from there
 ;; to the middle of its right edge and of its top edge; their lengths give the field of view.
-;; lens-radius: 0 for a pinhole. focus-distance: along forward, where everything is sharp.
+;; lens-radius: 0 for a pinhole. focus-distance: along forward, where everything is sharp. blades:
+;; corners of the aperture, 0 for a round one. projection: one of PROJECTIONS; angle: for the fisheye,
+;; radians from the middle of the picture to its corner. shutter-open, shutter-close: the part of the
+;; time from 0 to 1 in which light is gathered. end: the camera at time 1, #f for one at rest.
 (struct Camera
   ([eye : Float3] [forward : Float3] [right : Float3] [up : Float3]
-   [lens-radius : Flonum] [focus-distance : Flonum])
+   [lens-radius : Flonum] [focus-distance : Flonum] [blades : Fixnum]
+   [projection : Symbol] [angle : Flonum]
+   [shutter-open : Flonum] [shutter-close : Flonum] [end : (U #f Camera)])
   #:transparent)
 
+;; perspective: through the image plane. orthographic: along forward, from the plane through the eye
+;; that right and up span. panoramic: the picture's width is all around, its height from straight down
+;; to straight up (equirectangular). fisheye: the angle from forward grows with the distance from the
+;; picture's middle (equidistant).
+(define PROJECTIONS : (Listof Symbol) '(perspective orthographic panoramic fisheye))
+
 (: make-Camera (->* (Float3 Float3 Float3 Float3)
-                    (Real Real #:lens-radius Real #:focus-distance Real)
+                    (Real Real #:lens-radius Real #:focus-distance Real #:blades Integer
+                     #:projection Symbol #:angle Real
+                     #:shutter-open Real #:shutter-close Real #:end (U #f Camera))
                     Camera))
 (define (make-Camera eye forward right up [lens-by-place 0.0] [focus-by-place 1.0]
                      #:lens-radius [lens-radius lens-by-place]
-                     #:focus-distance [focus-distance focus-by-place])
+                     #:focus-distance [focus-distance focus-by-place]
+                     #:blades [blades 0]
+                     #:projection [projection 'perspective] #:angle [angle 1.0]
+                     #:shutter-open [open 0.0] #:shutter-close [close 1.0] #:end [end #f])
+  (unless (memq projection PROJECTIONS)
+    (raise-expected 'Camera "projection" (format "one of ~a" PROJECTIONS) projection))
+  (unless (or (eqv? blades 0) (<= 3 blades 1000))
+    (raise-expected 'Camera "blades" "0 for a round aperture, or 3 to 1000" blades))
+  (when (and (eq? projection 'panoramic) (> lens-radius 0))
+    (raise-expected 'Camera "lens-radius" "0 for a panoramic camera" lens-radius))
+  (define opened (check-between 'Camera "shutter-open" open 0.0 1.0))
   (Camera (check-point 'Camera "eye" eye)
           (check-direction 'Camera "forward" forward)
           (check-direction 'Camera "right" right)
           (check-direction 'Camera "up" up)
           (check-between 'Camera "lens-radius" lens-radius 0.0 1e300)
-          (check-positive 'Camera "focus-distance" focus-distance)))
+          (check-positive 'Camera "focus-distance" focus-distance)
+          (assert blades fixnum?)
+          projection
+          (check-between 'Camera "angle" angle 1e-9 (PI))
+          opened
+          (check-between 'Camera "shutter-close" close opened 1.0)
+          end))
 
-(define-constructor Camera make-Camera (eye forward right up lens-radius focus-distance))
+(define-constructor Camera make-Camera (eye forward right up lens-radius focus-distance)
+  #:struct (eye forward right up lens-radius focus-distance _ _ _ _ _ _))
+
+;; Camera-with : the same camera but for what is given; see the struct.
+(: Camera-with (->* (Camera)
+                    (#:eye Float3 #:lens-radius Real #:focus-distance Real #:blades Integer
+                     #:shutter-open Real #:shutter-close Real #:end (U #f Camera))
+                    Camera))
+(define (Camera-with camera #:eye [eye (Camera-eye camera)]
+                     #:lens-radius [lens-radius (Camera-lens-radius camera)]
+                     #:focus-distance [focus-distance (Camera-focus-distance camera)]
+                     #:blades [blades (Camera-blades camera)]
+                     #:shutter-open [open (Camera-shutter-open camera)]
+                     #:shutter-close [close (Camera-shutter-close camera)]
+                     #:end [end (Camera-end camera)])
+  (make-Camera eye (Camera-forward camera) (Camera-right camera) (Camera-up camera)
+               #:lens-radius lens-radius #:focus-distance focus-distance #:blades blades
+               #:projection (Camera-projection camera) #:angle (Camera-angle camera)
+               #:shutter-open open #:shutter-close close #:end end))
+
+;; Camera-moving : a camera that goes from one to the other, linearly, in the time from 0 to 1. Lens
+;; and projection are the first one's.
+(: Camera-moving (-> Camera Camera Camera))
+(define (Camera-moving from to) (Camera-with from #:end to))
 
 ;; The direction away from the ground.
 (: Camera-global-up (-> Float3))
@@ -78,14 +132,59 @@
                #:lens-radius lens-radius
                #:focus-distance (or focus-distance (Float3-length sight))))
 
+;; Camera-orthographic : parallel rays along the line from eye to focus; `height` world units from the
+;; lower to the upper edge of the picture. A lens blurs as in Camera-look-at.
+(: Camera-orthographic (->* (Float3 Float3 #:height Real)
+                            (#:up Float3 #:lens-radius Real #:focus-distance (U #f Real))
+                            Camera))
+(define (Camera-orthographic eye focus #:height height #:up [up (Camera-global-up)]
+                             #:lens-radius [lens-radius 0.0] #:focus-distance [distance #f])
+  (define half (fl* 0.5 (check-positive 'Camera-orthographic "height" height)))
+  (define base (Camera-look-at eye focus #:up up #:zoom 1.0 #:lens-radius lens-radius
+                               #:focus-distance distance))
+  (make-Camera eye (Camera-forward base)
+               (Float3-scale-by-scalar (Camera-right base) half)
+               (Float3-scale-by-scalar (Camera-up base) half)
+               #:lens-radius lens-radius #:focus-distance (Camera-focus-distance base)
+               #:projection 'orthographic))
+
+;; Camera-panoramic : all directions around the eye, the one to `focus` in the middle: longitude across
+;; the picture, latitude down it (equirectangular; a picture twice as wide as high has square pixels
+;; at the equator).
+(: Camera-panoramic (->* (Float3 Float3) (#:up Float3) Camera))
+(define (Camera-panoramic eye focus #:up [up (Camera-global-up)])
+  (define base (Camera-look-at eye focus #:up up #:zoom 1.0))
+  (make-Camera eye (Camera-forward base) (Camera-right base) (Camera-up base)
+               #:projection 'panoramic))
+
+;; Camera-fisheye : an equidistant fisheye; field-of-view-degrees from corner to corner, up to 360.
+(: Camera-fisheye (->* (Float3 Float3)
+                       (#:up Float3 #:field-of-view-degrees Real #:lens-radius Real
+                        #:focus-distance (U #f Real))
+                       Camera))
+(define (Camera-fisheye eye focus #:up [up (Camera-global-up)]
+                        #:field-of-view-degrees [degrees 180.0]
+                        #:lens-radius [lens-radius 0.0] #:focus-distance [distance #f])
+  (define checked
+    (check-between 'Camera-fisheye "field-of-view-degrees" degrees 1e-6 360.0))
+  (define base (Camera-look-at eye focus #:up up #:zoom 1.0 #:lens-radius lens-radius
+                               #:focus-distance distance))
+  (make-Camera eye (Camera-forward base) (Camera-right base) (Camera-up base)
+               #:lens-radius lens-radius #:focus-distance (Camera-focus-distance base)
+               #:projection 'fisheye #:angle (fl* checked (fl/ (PI) 360.0))))
+
 ;; The camera with its view as wide as a picture of that shape needs; its height stays.
 (: Camera-fitted (-> Camera Real Camera))
 (define (Camera-fitted camera aspect)
   (define right (Camera-right camera))
   (define width (fl* (real->double-flonum aspect) (Float3-length (Camera-up camera))))
+  (define end (Camera-end camera))
   (Camera (Camera-eye camera) (Camera-forward camera)
           (Float3-scale-by-scalar right (fl/ width (Float3-length right)))
-          (Camera-up camera) (Camera-lens-radius camera) (Camera-focus-distance camera)))
+          (Camera-up camera) (Camera-lens-radius camera) (Camera-focus-distance camera)
+          (Camera-blades camera) (Camera-projection camera) (Camera-angle camera)
+          (Camera-shutter-open camera) (Camera-shutter-close camera)
+          (and end (Camera-fitted end aspect))))
 
 ;; From the eye through the image plane at (x, y), both from 0 to 1, x from the left, y from the
 ;; top; not normalized.
@@ -96,56 +195,3 @@
   : Float3 ((fl+ fx (fl+ (fl* a rx) (fl* b ux)))
             (fl+ fy (fl+ (fl* a ry) (fl* b uy)))
             (fl+ fz (fl+ (fl* a rz) (fl* b uz)))))
-
-;; The unit direction from the eye through (x, y) of the image plane, from 0 at the left and top
-;; to 1 at the right and bottom.
-(: Camera-get-ray-direction (-> Camera Real Real Float3))
-(define (Camera-get-ray-direction camera x y)
-  (let-float3 ([forward (Camera-forward camera)] [right (Camera-right camera)]
-               [up (Camera-up camera)])
-    (let ([x (real->double-flonum x)] [y (real->double-flonum y)])
-      (Float3-normalized/checked (through-plane forward right up x y)))))
-
-;; The ray through (x, y) of the image plane and the middle of the lens.
-(: Camera-ray (-> Camera Real Real Ray))
-(define (Camera-ray camera x y)
-  (make-Ray (Camera-eye camera) (Camera-get-ray-direction camera x y)))
-
-;; A procedure that turns film-x and film-y, in pixels, into the ray in the scratch. A lens takes
-;; the pair of the next dimension; a pinhole takes none.
-(: Camera-kernel (-> Camera Fixnum Fixnum (-> FlVector FxVector Void)))
-(define (Camera-kernel camera width height)
-  (define eye (Camera-eye camera))
-  (define forward (Camera-forward camera))
-  (define right (Camera-right camera))
-  (define up (Camera-up camera))
-  (define lens-radius (Camera-lens-radius camera))
-  (define unit-right (Float3-normalized right))
-  (define unit-up (Float3-normalized up))
-  (define focus-scale (fl/ (Camera-focus-distance camera) (Float3-length forward)))
-  (define x-scale (fl/ 1.0 (fx->fl width)))
-  (define y-scale (fl/ 1.0 (fx->fl height)))
-  (if (fl= lens-radius 0.0)
-      (lambda ([r : FlVector] [i : FxVector])
-        (Float3-put! r ray-origin eye)
-        (Float3-put! r ray-direction
-                     (Float3-normalized
-                      (through-plane forward right up
-                                     (fl* x-scale (flvector-ref r film-x))
-                                     (fl* y-scale (flvector-ref r film-y))))))
-      (lambda ([r : FlVector] [i : FxVector])
-        (sample-next-pair! r i)
-        (let-float3 ([ahead (through-plane forward right up
-                                           (fl* x-scale (flvector-ref r film-x))
-                                           (fl* y-scale (flvector-ref r film-y)))]
-                     [disk (warp-disk (flvector-ref r sample-u) (flvector-ref r sample-v))]
-                     [aside (Float3-add
-                             (Float3-scale-by-scalar unit-right
-                                                     (fl* lens-radius (Float3-x disk)))
-                             (Float3-scale-by-scalar unit-up
-                                                     (fl* lens-radius (Float3-y disk))))])
-          (Float3-put! r ray-origin (Float3-add eye aside))
-          (Float3-put! r ray-direction
-                       (Float3-normalized
-                        (Float3-subtract (Float3-scale-by-scalar ahead focus-scale)
-                                         aside)))))))

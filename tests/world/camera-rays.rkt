@@ -1,9 +1,9 @@
 #lang typed/racket/base
 ;; Rays as a camera's kernel makes them, for the tests.
 (require racket/flonum "../../private/base/registers.rkt" "../../private/sample/sampler.rkt"
-         "../../private/world/camera.rkt")
+         "../../private/world/camera.rkt" "../../private/world/camera-kernel.rkt")
 
-(provide kernel-ray)
+(provide kernel-ray kernel-time)
 
 ;; Origin and direction through (x, y), in pixels, of a picture of that size, with the lens sample
 ;; of that index: six numbers.
@@ -17,3 +17,12 @@
   ((Camera-kernel camera width height) r i)
   (append (for/list : (Listof Flonum) ([k (in-range 3)]) (flvector-ref r (+ ray-origin k)))
           (for/list : (Listof Flonum) ([k (in-range 3)]) (flvector-ref r (+ ray-direction k)))))
+
+;; The time in the shutter of the sample of that index, in a world where something moves.
+(: kernel-time (-> Camera Fixnum Flonum))
+(define (kernel-time camera index)
+  (define r (make-flonum-registers))
+  (define i (make-fixnum-registers))
+  (Sampler-start! i 0 0 index)
+  ((Camera-kernel camera 8 8 #t) r i)
+  (flvector-ref r ray-time))
