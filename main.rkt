@@ -19,7 +19,7 @@
            "private/material/modified-phong.rkt" "private/material/mix.rkt"
            "private/material/rough-conductor.rkt" "private/material/rough-dielectric.rkt"
            "private/light/light.rkt" "private/light/distant.rkt" "private/light/point.rkt"
-           "private/light/spot.rkt"
+           "private/light/spot.rkt" "private/light/environment.rkt"
            "private/world/ray.rkt" "private/world/camera.rkt" "private/world/camera-kernel.rkt" "private/world/background.rkt"
            "private/world/world.rkt" "private/integrate/query.rkt"
            "private/sample/sampler.rkt" "private/render/render.rkt" "private/image/image.rkt"
@@ -101,6 +101,7 @@
  SpotLight SpotLight? SpotLight-point SpotLight-direction SpotLight-intensity
  SpotLight-cone-angle SpotLight-falloff-angle
  GradientSky GradientSky? GradientSky-bottom GradientSky-top
+ EnvironmentMap EnvironmentMap? EnvironmentMap-image EnvironmentMap-rotation EnvironmentMap-scale
  ;; worlds
  World World? World-shapes World-spheres World-lights World-sun World-background
  World-background-color World-nearest-hit World-occluded? World-ray-trace World-get-color-at

@@ -16,7 +16,7 @@
                                         "shape/mesh.rkt" "shape/group.rkt" "shape/instance.rkt"
                                         "shape/moving.rkt" "shape/solid.rkt"
                                         "shape/distance.rkt" "shape/custom.rkt"
-                                        "light/distant.rkt" "light/point.rkt" "light/spot.rkt"
+                                        "light/environment.rkt" "light/distant.rkt" "light/point.rkt" "light/spot.rkt"
                                         "world/ray.rkt" "world/camera.rkt"
                                         "world/background.rkt" "world/world.rkt"))
          (for-syntax racket/base))
@@ -60,4 +60,5 @@
 (define-surface RoughConductor (roughness color eta k))
 (define-surface RoughDielectric (ior roughness absorption outside-ior))
 (define-surface GradientSky (bottom top))
+(define-surface EnvironmentMap (image) #:struct (image _ _))
 (define-surface World (shapes lights background) #:struct (shapes lights background _ _))

@@ -35,6 +35,7 @@
   (define emission (pack-emission (Scene-materials scene)))
   (define background (Scene-background scene))
   (define lights (Scene-lights scene))
+  (define background-light (Scene-background-light scene))
   (define lights? (> (vector-length lights) 0))
   (define shines? (for/or : Boolean ([material (in-vector (Scene-materials scene))])
                     (Emitter? material)))
@@ -63,10 +64,14 @@
                (vertex (fx+ depth 1) (MaterialKernel-transmits? kernel)))))]
         [else
          (background r i)
+         (cond
+           [(fx< background-light 0) (flvector-set! r light-density 1.0)]
+           [else (put-light-weight! scene lights background-light transmitting? r i)])
          (Float3-put! r radiance
-                      (Float3-add (Float3-in r radiance)
-                                  (Float3-scale-by-vector (Float3-in r throughput)
-                                                          (Float3-in r surface-color))))]))))
+                      (Float3-multiply-add (Float3-in r radiance)
+                                           (flvector-ref r light-density)
+                                           (Float3-scale-by-vector (Float3-in r throughput)
+                                                                   (Float3-in r surface-color))))]))))
 
 ;; Radiance and, in the fourth place, 1 where the emission is two-sided; by material.
 (: pack-emission (-> (Vectorof Material) FlVector))
@@ -89,9 +94,15 @@
 (: put-emission-weight! (-> Scene (Vectorof LightKernel) Boolean FlVector FxVector Void))
 (define (put-emission-weight! scene lights transmitting? r i)
   (define light (fxvector-ref (Scene-primitive-lights scene) (fxvector-ref i hit-primitive)))
+  (if (fx< light 0)
+      (flvector-set! r light-density 1.0)
+      (put-light-weight! scene lights light transmitting? r i)))
+
+;; The same for a light of that number.
+(: put-light-weight! (-> Scene (Vectorof LightKernel) Fixnum Boolean FlVector FxVector Void))
+(define (put-light-weight! scene lights light transmitting? r i)
   (cond
-    [(or (fx< light 0) (fl= (flvector-ref r previous-density) +inf.0))
-     (flvector-set! r light-density 1.0)]
+    [(fl= (flvector-ref r previous-density) +inf.0) (flvector-set! r light-density 1.0)]
     [else
      ((LightKernel-density (vector-ref lights light)) r i)
      (put-light-probability! (Scene-light-choice scene) light transmitting? r)

@@ -117,6 +117,9 @@
 (: local-shading (-> Scene Shading FlVector (-> FlVector FxVector Void)))
 (define (local-shading scene shading packed)
   (define lights (Scene-lights scene))
+  ;; a background's light is the ambient light here
+  (define light-count
+    (if (fx< (Scene-background-light scene) 0) (vector-length lights) (Scene-background-light scene)))
   (define ambient-color (Shading-ambient-color shading))
   (define ambient-samples (Shading-ambient-samples shading))
   (define ambient? (fl> (Float3-largest-component ambient-color) 0.0))
@@ -141,7 +144,7 @@
                        (Float3-scale-by-vector (Float3-in packed at) ambient-color)))))
       (put-ray-from-surface! r)
       (let each-light ([k : Fixnum 0])
-        (when (fx< k (vector-length lights))
+        (when (fx< k light-count)
           (add-light! scene (vector-ref lights k) shadow-samples packed r i)
           (each-light (fx+ k 1)))))))
 

@@ -41,7 +41,7 @@
          [intensity (flvector-ref v (fx+ at 6))]
          [half-squared (flvector-ref v (fx+ at 7))])
     (if (fl< half-squared 0.0)
-        (if transmits?
+        (if (or transmits? (fl= (flvector-ref v (fx+ at 11)) (NO-AXIS)))
             intensity
             (fl* intensity (greater 0.0 (Float3-dot (Float3-in v (fx+ at 8)) n))))
         (let-float3 ([half (Float3-in v (fx+ at 3))]

@@ -26,7 +26,7 @@
 ;; projected area; of a light without a box the irradiance. axis: within the angle `spread` of it
 ;; lie the directions of full intensity, which then falls like the cosine of the angle to the
 ;; nearest of them and is 0 beyond `reach`; #f where the intensity is much the same in all
-;; directions. Of a light without a box: the unit direction towards it.
+;; directions. Of a light without a box: the unit direction towards it, #f for all directions.
 (struct LightBound
   ([box : (U #f FlVector)] [intensity : Flonum] [axis : (U #f Float3)]
    [spread : Flonum] [reach : Flonum]))

@@ -15,7 +15,8 @@
 ;; the sphere at each place of the hierarchy, radius -1 where the primitive is another shape;
 ;; primitive-spheres: the same by primitive.
 ;; unbounded: primitives without a box, tried for every ray. kernels: by primitive, #f for
-;; spheres. primitive-materials: index into materials by primitive. extent: the largest coordinate.
+;; spheres. background-light: the number of the light that the background is, the last one, or -1.
+;; primitive-materials: index into materials by primitive. extent: the largest coordinate.
 (struct Scene
   ([bounds : FlVector] [links : FxVector] [order : FxVector]
    [spheres : FlVector] [primitive-spheres : FlVector]
@@ -23,7 +24,7 @@
    [kernels : (Vectorof (U #f ShapeKernel))]
    [primitive-materials : FxVector] [materials : (Vectorof Material)]
    [lights : (Vectorof LightKernel)] [light-choice : LightChoice]
-   [primitive-lights : FxVector]
+   [primitive-lights : FxVector] [background-light : Fixnum]
    [background : (-> FlVector FxVector Void)]
    [extent : Flonum]))
 
@@ -95,7 +96,10 @@
       (fxvector-set! all k k)
       (loop (fx+ k 1))))
   (define-values (shape-lights primitive-lights) (find-shape-lights shapes))
-  (define light-kernels (list->vector (append shape-lights (map Light-kernel lights))))
+  (define background-light (Background-light-kernel background))
+  (define light-kernels
+    (list->vector (append shape-lights (map Light-kernel lights)
+                          (if background-light (list background-light) '()))))
   (Scene (Hierarchy-bounds hierarchy) (Hierarchy-links hierarchy) order
          (packed-spheres shapes order)
          (packed-spheres shapes all)
@@ -104,7 +108,7 @@
          (fxvector-copy unbounded 0 (- count bounded-count))
          kernels primitive-materials (all-materials)
          light-kernels (make-light-choice light-kernels)
-         primitive-lights
+         primitive-lights (if background-light (- (vector-length light-kernels) 1) -1)
          (Background-kernel background)
          (largest-magnitude boxes (* 6 bounded-count))))
 
