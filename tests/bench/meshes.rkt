@@ -8,8 +8,10 @@
 
 (provide measure-mesh)
 
-(define RAYS 1000000)
-(define ROUNDS 2)
+;; a million rays in parts so short that the least time of some rounds is undisturbed
+(define RAYS 100000)
+(define PARTS 10)
+(define ROUNDS 4)
 
 ;; `next!` writes a ray from place `at` of the flvector.
 (define (make-rays next!)
@@ -23,23 +25,23 @@
 (define (scaled s p) (for/list ([c (in-list p)]) (* s c)))
 
 ;; A view that the sphere fills, 1000 by 1000.
-(define (primary-rays)
+(define (primary-rays part)
   (define (place k) (* 0.3 (- (* 2.0 (/ (+ k 0.5) 1000.0)) 1.0)))
   (make-rays (lambda (rays at k)
                (put! rays at (list 0.0 0.0 4.0 (place (remainder k 1000))
-                                   (place (quotient k 1000)) -1.0)))))
+                                   (place (+ (* 100 part) (quotient k 1000))) -1.0)))))
 
 ;; From a sphere of twice the size to points uniform in the unit ball.
-(define (outside-rays)
-  (define g (make-generator 1))
+(define (outside-rays part)
+  (define g (make-generator (+ 1 part)))
   (make-rays (lambda (rays at k)
                (define o (scaled 2.0 (random-direction g)))
                (define target (scaled (expt (random g) 1/3) (random-direction g)))
                (put! rays at (append o (map - target o))))))
 
 ;; From within 0.9 of the middle in any direction.
-(define (inside-rays seed)
-  (define g (make-generator seed))
+(define (inside-rays part)
+  (define g (make-generator (+ 1000 part)))
   (make-rays (lambda (rays at k)
                (put! rays at (append (scaled (* 0.9 (expt (random g) 1/3)) (random-direction g))
                                      (random-direction g))))))
@@ -55,8 +57,8 @@
   (for/fold ([least (map (lambda (_) +inf.0) thunks)]) ([round (in-range ROUNDS)])
     (for/list ([before (in-list least)] [thunk (in-list thunks)]) (min before (seconds thunk)))))
 
-;; unit: a procedure that measures the seconds of one cu here and now; the unit of each group of
-;; rows is taken right after it. Shows rows `| what | cu | limit |` and returns them.
+;; unit: a procedure that measures the seconds of one cu here and now; it is taken
+;; after the build and after each part of the rays. Shows rows `| what | cu | limit |` and returns them.
 (define (measure-mesh unit)
   (define rows '())
   (define (row! what cu limit)
@@ -75,12 +77,15 @@
   (for ([rays (in-list (list primary-rays outside-rays))]
         [name (in-list '("primary" "random from outside"))]
         [limit (in-list '("3.5 cu" "14 cu"))])
-    (define shot (rays))
-    (define times
-      (apply least-seconds
-             (for/list ([kernel (in-list (append watertight leaky))])
-               (lambda () (count-hits kernel shot)))))
-    (define cu (unit))
+    (define-values (times units)
+      (for/fold ([times '(0.0 0.0 0.0 0.0)] [units '()]) ([part (in-range PARTS)])
+        (define shot (rays part))
+        (define more
+          (apply least-seconds
+                 (for/list ([kernel (in-list (append watertight leaky))])
+                   (lambda () (count-hits kernel shot)))))
+        (values (map + times more) (cons (unit) units))))
+    (define cu (/ (apply + units) PARTS))
     (define-values (nearest occluded leaky-nearest leaky-occluded)
       (apply values (map (lambda (time) (/ time cu)) times)))
     (row! (format "10^6 ~a rays, nearest hit" name) nearest limit)
@@ -92,7 +97,7 @@
                   (percent occluded leaky-occluded))
           leaky-occluded "15%"))
   (for ([kernels (in-list (list watertight leaky))] [name (in-list '("watertight" "leaky"))]
-        [batches (in-list '(10 1))])
+        [batches (in-list '(100 10))])
     (define missed
       (for/sum ([seed (in-range batches)]) (- RAYS (count-hits (car kernels) (inside-rays seed)))))
     (row! (format "~a rays from inside, ~a: ~a leave" (* batches RAYS) name missed) #f
