@@ -42,7 +42,8 @@
                                             height)])
                (let-frame (tangent bitangent) axis
                  (let* ([along (fl* (flsqrt squared) (Float3-z local))]
-                        [aside-squared (fl* squared (fl- 1.0 (fl* (Float3-z local) (Float3-z local))))]
+                        [aside-squared
+                         (fl* squared (fl- 1.0 (fl* (Float3-z local) (Float3-z local))))]
                         [half-chord (flsqrt (flmax 0.0 (fl- r-squared aside-squared)))]
                         [solid-angle (fl* (TWO-PI) height)])
                    (Float3-put! r light-direction (Frame-to-world tangent bitangent axis local))

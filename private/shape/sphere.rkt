@@ -2,7 +2,8 @@
 ;; Spheres: the intersection every caller shares, the public functions, and the kernel.
 (require (for-syntax racket/base)
          "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/public.rkt"
-         "../base/check.rkt" "../base/squares.rkt" "../sample/warp.rkt" "../material/material.rkt" "../material/color.rkt"
+         "../base/check.rkt" "../base/squares.rkt" "../sample/warp.rkt"
+         "../material/material.rkt" "../material/color.rkt"
          "kernel.rkt" "shape.rkt")
 
 (provide (struct-out Sphere) make-Sphere Sphere-nearest-root Sphere-surface! Sphere-uv!

@@ -25,7 +25,7 @@
          (angle-at before here after))
        (* 2 pi)))
 
-  (test-case "G08: a square image of 90 degrees is 2 pi / 3, whole and as the sum of its pixels, 1e-12"
+  (test-case "G08: a square image of 90 degrees is 2 pi / 3, whole and as a sum of pixels, 1e-12"
     (define camera
       (Camera-look-at (Float3 1 2 3) (Float3 -4 0 1) #:vertical-field-of-view-degrees 90 #:aspect 1))
     (define (pixel x y size)

@@ -58,7 +58,8 @@
     (for/list ([before (in-list least)] [thunk (in-list thunks)]) (min before (seconds thunk)))))
 
 ;; unit: a procedure that measures the seconds of one cu here and now; it is taken
-;; after the build and after each part of the rays. Shows rows `| what | cu | limit |` and returns them.
+;; after the build and after each part of the rays. Shows rows `| what | cu | limit |` and returns
+;; them.
 (define (measure-mesh unit)
   (define rows '())
   (define (row! what cu limit)

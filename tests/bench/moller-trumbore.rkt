@@ -7,7 +7,7 @@
          "../../private/shape/shape.rkt" "../../private/shape/kernels.rkt"
          "../../private/world/hierarchy.rkt" "../../private/world/traverse.rkt")
 
-(provide leaky-kernels shape-kernels count-hits)
+(provide leaky-kernels shape-kernels count-hits hit-parameters)
 
 (define-type Kernel (-> FlVector FxVector Boolean))
 
@@ -31,6 +31,23 @@
        (Float3-put! r ray-direction (Float3-in rays (fx+ 3 (fx* 6 k))))
        (flvector-set! r ray-limit +inf.0)
        (loop (fx+ k 1) (if (kernel r i) (fx+ found 1) found))])))
+
+;; The parameter of each ray's hit by a nearest-hit kernel, infinite for none.
+(: hit-parameters (-> Kernel FlVector FlVector))
+(define (hit-parameters kernel rays)
+  (define r (make-flonum-registers))
+  (define i (make-fixnum-registers))
+  (define count (quotient (flvector-length rays) 6))
+  (define found (make-flvector count +inf.0))
+  (let loop : FlVector ([k : Fixnum 0])
+    (cond
+      [(fx= k count) found]
+      [else
+       (Float3-put! r ray-origin (Float3-in rays (fx* 6 k)))
+       (Float3-put! r ray-direction (Float3-in rays (fx+ 3 (fx* 6 k))))
+       (flvector-set! r ray-limit +inf.0)
+       (when (kernel r i) (flvector-set! found k (flvector-ref r hit-t)))
+       (loop (fx+ k 1))])))
 
 ;; Nearest-hit and any-hit kernels of a mesh's triangles that let rays through between them.
 (: leaky-kernels (-> FlVector FxVector (List Kernel Kernel)))
