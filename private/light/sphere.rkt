@@ -1,6 +1,7 @@
 #lang typed/racket/base
 ;; A sphere that shines, as a light: sampled by the cone it fills, seen from outside.
 (require "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/frame.rkt"
+         "../base/squares.rkt"
          "../sample/warp.rkt" "../shape/sphere.rkt" "../material/emitter.rkt" "light.rkt")
 
 (provide Sphere-light-kernel)
@@ -15,9 +16,18 @@
   (define radius (Sphere-radius sphere))
   (define radiance (Emitter-radiance emitter))
   (define two-sided? (Emitter-two-sided? emitter))
-  (define-syntax-rule (cone-height squared)
-    (let ([sine-squared (flmin 1.0 (fl/ (fl* radius radius) squared))])
-      (fl/ sine-squared (fl+ 1.0 (flsqrt (fl- 1.0 sine-squared))))))
+  ;; from near by, the cosine comes from the difference of the squares, which would cancel
+  (define unit (power-of-two-above radius))
+  (define-syntax-rule (cone-height to-center squared)
+    (let* ([r-squared (fl* radius radius)]
+           [sine-squared (flmin 1.0 (fl/ r-squared squared))]
+           [cosine-squared
+            (if (fl> sine-squared 0.25)
+                (fl/ (squares-excess (Float3-x to-center) (Float3-y to-center)
+                                     (Float3-z to-center) radius unit)
+                     squared)
+                (fl- 1.0 sine-squared))])
+      (fl/ sine-squared (fl+ 1.0 (flsqrt (flmax 0.0 cosine-squared))))))
 
   (: sample (-> FlVector FxVector Void))
   (define (sample r i)
@@ -26,13 +36,14 @@
       (let ([squared (Float3-length-squared to-center)])
         (cond
           [(fl> squared (fl* 0.999999999999 r-squared))
-           (let ([height (cone-height squared)])
+           (let ([height (cone-height to-center squared)])
              (let-float3 ([axis (Float3-scale-by-scalar to-center (fl/ 1.0 (flsqrt squared)))]
                           [local (warp-cone (flvector-ref r sample-u) (flvector-ref r sample-v)
                                             height)])
                (let-frame (tangent bitangent) axis
                  (let* ([along (fl* (flsqrt squared) (Float3-z local))]
-                        [aside-squared (fl* squared (fl- 1.0 (fl* (Float3-z local) (Float3-z local))))]
+                        [aside-squared
+                         (fl* squared (fl- 1.0 (fl* (Float3-z local) (Float3-z local))))]
                         [half-chord (flsqrt (flmax 0.0 (fl- r-squared aside-squared)))]
                         [solid-angle (fl* (TWO-PI) height)])
                    (Float3-put! r light-direction (Frame-to-world tangent bitangent axis local))
@@ -66,7 +77,8 @@
         (flvector-set!
          r light-density
          (cond
-           [(fl> squared (fl* 0.999999999999 r-squared)) (fl/ 1.0 (fl* (TWO-PI) (cone-height squared)))]
+           [(fl> squared (fl* 0.999999999999 r-squared))
+            (fl/ 1.0 (fl* (TWO-PI) (cone-height to-center squared)))]
            [two-sided?
             ;; distance along in-direction to the wall, and the cosine there
             (let-float3 ([d (Float3-in r in-direction)])
@@ -81,6 +93,14 @@
   (LightKernel sample density #t primitive
                (round-bound (Sphere-bounds sphere) radiance
                             (fl* (fl* 4.0 (PI)) (fl* radius radius)))))
+
+;; The least power of two above a positive number, or the largest there is.
+(: power-of-two-above (-> Flonum Flonum))
+(define (power-of-two-above x)
+  (define (search [from : Flonum] [factor : Flonum] [enough? : (-> Flonum Boolean)]) : Flonum
+    (if (enough? from) from (search (fl* from factor) factor enough?)))
+  (search (search 1.0 0.5 (lambda (p) (or (fl<= p x) (fl= p 0.0)))) 2.0
+          (lambda (p) (or (fl> p x) (fl> p 4e307)))))
 
 (: dark! (-> FlVector Void))
 (define (dark! r)

@@ -2,7 +2,8 @@
 ;; Spheres: the intersection every caller shares, the public functions, and the kernel.
 (require (for-syntax racket/base)
          "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/public.rkt"
-         "../base/check.rkt" "../sample/warp.rkt" "../material/material.rkt" "../material/color.rkt"
+         "../base/check.rkt" "../base/squares.rkt" "../sample/warp.rkt"
+         "../material/material.rkt" "../material/color.rkt"
          "kernel.rkt" "shape.rkt")
 
 (provide (struct-out Sphere) make-Sphere Sphere-nearest-root Sphere-surface! Sphere-uv!
@@ -22,8 +23,10 @@
           (if (fl>= discriminant 0.0)
               (let ([s (flsqrt (fl* dd discriminant))])
                 (if (and (fl< (fl+ s s) (fl* -1.0 b)) (fl< (fl* squared dd) (fl* b b)))
-                    ;; far enough in front for the plain root to keep its digits
-                    (fl* (fl* -1.0 (fl+ b s)) inverse-dd)
+                    ;; far enough in front for the plain root to keep its digits; what is left of
+                    ;; `nearest` along d takes the roundings of b and dd out again
+                    (fl- (fl* -1.0 (fl* b inverse-dd))
+                         (fl* (fl+ s (Float3-dot nearest d)) inverse-dd))
                     (let* ([length (Float3-length oc)]
                            [c (fl* (fl- length radius) (fl+ length radius))])
                       (if (and (fl> b 0.0) (fl>= c 0.0))
@@ -60,13 +63,16 @@
                                                           (flvector-ref r hit-t)
                                                           (Float3-in r ray-direction))
                                      c)])
-    (let ([length (Float3-length out)])
-      ;; divided, not multiplied by a reciprocal: the point is then within an ulp of the sphere
-      (let-float3 ([normal (Float3 (fl/ (Float3-x out) length) (fl/ (Float3-y out) length)
-                                   (fl/ (Float3-z out) length))]
-                   [point (Float3-multiply-add c radius normal)])
-        (put-surface! r point normal
-                      (fl* (fl* 16.0 (ROUNDING)) (fl+ radius (Float3-largest-magnitude c))))))))
+    (let ([inverse-length (fl/ 1.0 (Float3-length out))])
+      ;; nearly a unit vector, and one step of Newton's iteration: within an ulp of the sphere
+      (let-float3 ([near-unit (Float3-scale-by-scalar out inverse-length)])
+        (let ([excess (squares-excess (Float3-x near-unit) (Float3-y near-unit)
+                                      (Float3-z near-unit) 1.0 1.0)])
+          (let-float3 ([normal (Float3-multiply-add near-unit (fl* -0.5 excess) near-unit)]
+                       [point (Float3-multiply-add c radius normal)])
+            (put-surface! r point normal
+                          (fl* (fl* 16.0 (ROUNDING))
+                               (fl+ radius (Float3-largest-magnitude c))))))))))
 
 ;; Texture coordinates from the normal: u around the y axis from -x, v from the south pole up.
 (: Sphere-uv! (-> FlVector FxVector Void))

@@ -10,7 +10,7 @@
          (prefix-in weekend: raytrace/scenes/weekend)
          (prefix-in cornell: raytrace/scenes/cornell-diffuse)
          (prefix-in shadows: raytrace/scenes/soft-shadows)
-         "worlds.rkt" "scan.rkt" "unit.rkt")
+         "worlds.rkt" "scan.rkt" "meshes.rkt" "unit.rkt")
 
 (lazy-require ["scaling-plot.rkt" (write-scaling-plot)])
 
@@ -85,6 +85,8 @@
               (if (second result) (~r (second result) #:precision '(= 2)) "-")
               (~r (third result) #:precision '(= 2)))
       (cons n result)))
+  (printf "| mesh | cu | limit |\n|---|---|---|\n")
+  (define mesh-rows (measure-mesh calibration-unit))
   (define speed-up (future-speed-up))
   (printf "two futures against one, objects in one half: ~a\n" (~r speed-up #:precision '(= 2)))
   (define unit-after (calibration-unit))
@@ -105,6 +107,8 @@
                  (if scan (~r scan #:precision '(= 2)) "")
                  (if scan (~r (/ scan (second entry)) #:precision '(= 1)) "")
                  (~r (fourth entry) #:precision '(= 2))))
+      (fprintf out "\n| mesh | cu | limit |\n|---|---|---|\n")
+      (for ([text (in-list mesh-rows)]) (fprintf out "~a\n" text))
       (fprintf out "\nTwo futures against one, objects in one half: ~a.\n"
                (~r speed-up #:precision '(= 2)))))
   (write-scaling-plot scaling (build-path folder "scaling.png")))

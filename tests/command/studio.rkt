@@ -3,7 +3,7 @@
 ;; cannot be shown is one line.
 (module+ test
   (require racket/file rackunit raytrace "support.rkt" "../../private/command/studio.rkt"
-           "../../private/command/needs.rkt")
+           "../../private/command/needs.rkt" (only-in "../read/sphere-files.rkt" write-sphere))
 
   (define cube
     (string-append
@@ -36,4 +36,13 @@
      (check-exn #rx"nothing.obj:2: expected at least one face with an area"
                 (lambda () (load-studio (file "nothing.obj" "v 0 0 0\n") #f)))
      (check-exn #rx"bad.obj:1: expected a number for z"
-                (lambda () (load-studio (file "bad.obj" "v 0 0 x\n") #f))))))
+                (lambda () (load-studio (file "bad.obj" "v 0 0 x\n") #f)))
+     ;; while a large file is read the part of it is shown, where that is wanted, and cleared
+     (define large (build-path folder "large.obj"))
+     (write-sphere 'obj-plain 100 large)
+     (define (shown show?)
+       (define out (open-output-string))
+       (parameterize ([current-error-port out]) (load-studio large show?))
+       (get-output-string out))
+     (check-regexp-match #px"^(\r[0-9]+%[^\r]*\e\\[K)+\r\e\\[K$" (shown #t))
+     (check-equal? (shown #f) ""))))
