@@ -88,7 +88,10 @@
 ;; that the last vertex could have sampled the light that was hit. Left in light-density.
 (: put-emission-weight! (-> Scene (Vectorof LightKernel) Boolean FlVector FxVector Void))
 (define (put-emission-weight! scene lights transmitting? r i)
-  (define light (fxvector-ref (Scene-primitive-lights scene) (fxvector-ref i hit-primitive)))
+  (define known (fxvector-ref (Scene-primitive-lights scene) (fxvector-ref i hit-primitive)))
+  ;; below -1: one of a composite's parts
+  (define light
+    (if (fx< known -1) ((vector-ref (Scene-part-lights scene) (fx- -2 known)) i) known))
   (cond
     [(or (fx< light 0) (fl= (flvector-ref r previous-density) +inf.0))
      (flvector-set! r light-density 1.0)]

@@ -6,7 +6,7 @@
          "../shape/shape.rkt" "../shape/kernel.rkt" "../shape/kernels.rkt" "../shape/sphere.rkt"
          "../shape/composite.rkt"
          "../material/material.rkt"
-         "../light/light.rkt" "../light/kernels.rkt" "../light/choice.rkt"
+         "../light/light.rkt" "../light/kernels.rkt" "../light/parts.rkt" "../light/choice.rkt"
          "background.rkt" "hierarchy.rkt")
 
 (provide (struct-out Scene) compile-scene)
@@ -15,7 +15,9 @@
 ;; the sphere at each place of the hierarchy, radius -1 where the primitive is another shape;
 ;; primitive-spheres: the same by primitive.
 ;; unbounded: primitives without a box, tried for every ray. kernels: by primitive, #f for
-;; spheres. primitive-materials: index into materials by primitive. extent: the largest coordinate.
+;; spheres. primitive-materials: index into materials by primitive. primitive-lights: by primitive
+;; the number of the light it is, -1 for none, and -2 - k for a composite with lights among its
+;; parts, which part-lights tells apart at k. extent: the largest coordinate.
 (struct Scene
   ([bounds : FlVector] [links : FxVector] [order : FxVector]
    [spheres : FlVector] [primitive-spheres : FlVector]
@@ -23,7 +25,7 @@
    [kernels : (Vectorof (U #f ShapeKernel))]
    [primitive-materials : FxVector] [materials : (Vectorof Material)]
    [lights : (Vectorof LightKernel)] [light-choice : LightChoice]
-   [primitive-lights : FxVector]
+   [primitive-lights : FxVector] [part-lights : (Vectorof FindLight)]
    [background : (-> FlVector FxVector Void)]
    [extent : Flonum]))
 
@@ -94,7 +96,7 @@
     (when (fx< k count)
       (fxvector-set! all k k)
       (loop (fx+ k 1))))
-  (define-values (shape-lights primitive-lights) (find-shape-lights shapes))
+  (define-values (shape-lights primitive-lights part-lights) (find-shape-lights shapes))
   (define light-kernels (list->vector (append shape-lights (map Light-kernel lights))))
   (Scene (Hierarchy-bounds hierarchy) (Hierarchy-links hierarchy) order
          (packed-spheres shapes order)
@@ -104,7 +106,7 @@
          (fxvector-copy unbounded 0 (- count bounded-count))
          kernels primitive-materials (all-materials)
          light-kernels (make-light-choice light-kernels)
-         primitive-lights
+         primitive-lights part-lights
          (Background-kernel background)
          (largest-magnitude boxes (* 6 bounded-count))))
 
@@ -135,18 +137,31 @@
     (fxvector-set! numbers k (number (Shape-material (vector-ref shapes k)))))
   numbers)
 
-;; The shapes that are sampled as lights, and for every primitive its number among them or -1.
-(: find-shape-lights (-> (Vectorof Shape) (Values (Listof LightKernel) FxVector)))
+;; The lights that shapes and parts of composites are; for every primitive its number among them, -1
+;; or what stands for a composite; and by that what tells the number of the part that was hit.
+(: find-shape-lights (-> (Vectorof Shape)
+                         (Values (Listof LightKernel) FxVector (Vectorof FindLight))))
 (define (find-shape-lights shapes)
   (define primitive-lights (make-fxvector (vector-length shapes) -1))
-  (let loop ([k : Nonnegative-Fixnum 0] [found : Fixnum 0] [lights : (Listof LightKernel) '()])
-    (cond
-      [(= k (vector-length shapes)) (values (reverse lights) primitive-lights)]
-      [(Shape-light-kernel (vector-ref shapes k) k)
-       => (lambda ([light : LightKernel])
-            (fxvector-set! primitive-lights k found)
-            (loop (assert (+ k 1) fixnum?) (fx+ found 1) (cons light lights)))]
-      [else (loop (assert (+ k 1) fixnum?) found lights)])))
+  (define-values (lights count finders finder-count)
+    (for/fold ([lights : (Listof LightKernel) '()] [count : Fixnum 0]
+               [finders : (Listof FindLight) '()] [finder-count : Fixnum 0])
+              ([shape (in-vector shapes)] [k : Nonnegative-Fixnum (in-range (vector-length shapes))])
+      (cond
+        [(Composite? shape)
+         (define-values (parts find) (part-lights shape count))
+         (cond
+           [find
+            (fxvector-set! primitive-lights k (fx- -2 finder-count))
+            (values (append (reverse parts) lights) (fx+ count (length parts))
+                    (cons find finders) (fx+ finder-count 1))]
+           [else (values lights count finders finder-count)])]
+        [(Shape-light-kernel shape (Shape-material shape) k)
+         => (lambda ([light : LightKernel])
+              (fxvector-set! primitive-lights k count)
+              (values (cons light lights) (fx+ count 1) finders finder-count))]
+        [else (values lights count finders finder-count)])))
+  (values (reverse lights) primitive-lights (list->vector (reverse finders))))
 
 (: packed-spheres (-> (Vectorof Shape) FxVector FlVector))
 (define (packed-spheres shapes order)
