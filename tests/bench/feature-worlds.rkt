@@ -31,7 +31,8 @@
 (define worlds
   (list
    (cons "nothing" (lambda () (world spheres)))
-   (cons "a point light" (lambda () (world spheres (list (PointLight (Float3 4 20 25) (Float3 50 50 50))))))
+   (cons "a point light"
+         (lambda () (world spheres (list (PointLight (Float3 4 20 25) (Float3 50 50 50))))))
    (cons "20 point lights"
          (lambda ()
            (world spheres (for/list ([k 20]) (PointLight (Float3 k 20 25) (Float3 5 5 5))))))
@@ -39,7 +40,8 @@
          (lambda () (world (cons (Sphere (Float3 4 20 25) 2 (Emitter (Float3 9 9 9))) spheres))))
    (cons "a lamp in a group"
          (lambda ()
-           (world (cons (Group (list (Sphere (Float3 4 20 25) 2 (Emitter (Float3 9 9 9))))) spheres))))
+           (world (cons (Group (list (Sphere (Float3 4 20 25) 2 (Emitter (Float3 9 9 9)))))
+                        spheres))))
    (cons "half of glass" (lambda () (world (half (with-material (Dielectric 1.5))))))
    (cons "half of rough metal" (lambda () (world (half (with-material (gold 0.3))))))
    (cons "half mixed of two"

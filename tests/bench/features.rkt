@@ -5,11 +5,12 @@
 ;; and both render the same plain scene in turn; the median ratio of CPU times tells what the code
 ;; costs by being there. The edits name the text they cut, and fail where it is no longer found.
 ;; Kernels of materials and of shapes but spheres are closures a scene has or has not: for those it
-;; lacks there is no code on its way. Present: CPU time a sample against that of the plain scene, in turn as well.
+;; lacks there is no code on its way.
+;; Present: CPU time a sample against that of the plain scene, in turn as well.
 (require racket/file racket/format racket/list racket/runtime-path racket/stream racket/string
          syntax/modread)
 
-(provide absent-costs present-costs write-features)
+(provide write-features load-library (struct-out edit))
 
 (define-runtime-path package-folder "../..")
 (define-runtime-path worlds-file "feature-worlds.rkt")
@@ -36,11 +37,12 @@
   (edit "private/world/camera.rkt" "(if (fl= lens-radius 0.0)" 1 "(if #t"))
 ;; row, the edits
 (define absences
-  (list (list "nothing: the same twice, for the error of these numbers" '())
+  (list (list "nothing: the same twice" '())
         (list "sampled lights" (list lights-edit))
         (list "emitters" (list emission-edit))
         (list "transmission" (list transmission-edit))
-        (list "unbounded shapes and shapes other than spheres" (list unbounded-edit other-shapes-edit))
+        (list "unbounded shapes and shapes other than spheres"
+              (list unbounded-edit other-shapes-edit))
         (list "a lens" (list lens-edit))
         (list "all of these"
               (list lights-edit emission-edit transmission-edit depth-edit
@@ -117,7 +119,8 @@
 ;; A stream of (list feature time-a-sample-as-a-part-of-the-plain-scene's)
 (define (present-costs times)
   (define namespace (load-library '()))
-  (define names (parameterize ([current-namespace namespace]) (dynamic-require worlds-file 'features)))
+  (define names
+    (parameterize ([current-namespace namespace]) (dynamic-require worlds-file 'features)))
   (define plain (timed-render namespace (car names)))
   (for/stream ([name (in-list (cdr names))])
     (list name (median-ratio (timed-render namespace name) plain times))))

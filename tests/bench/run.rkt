@@ -10,7 +10,7 @@
          (prefix-in weekend: raytrace/scenes/weekend)
          (prefix-in cornell: raytrace/scenes/cornell-diffuse)
          (prefix-in shadows: raytrace/scenes/soft-shadows)
-         "worlds.rkt" "scan.rkt" "unit.rkt")
+         "worlds.rkt" "scan.rkt" "unit.rkt" "many-lights.rkt" "features.rkt" "cornell.rkt")
 
 (lazy-require ["scaling-plot.rkt" (write-scaling-plot)])
 
@@ -88,6 +88,15 @@
   (define speed-up (future-speed-up))
   (printf "two futures against one, objects in one half: ~a\n" (~r speed-up #:precision '(= 2)))
   (define unit-after (calibration-unit))
+  (define tables
+    (let ([text (open-output-string)])
+      (write-cornell text unit-after)
+      (newline text)
+      (write-many-lights text unit-after)
+      (newline text)
+      (write-features text)
+      (get-output-string text)))
+  (display tables)
   (printf "1 cu after = ~a s\n" (~r unit-after #:precision '(= 3)))
   (call-with-output-file (build-path folder "benchmark.md") #:exists 'truncate
     (lambda (out)
@@ -106,5 +115,6 @@
                  (if scan (~r (/ scan (second entry)) #:precision '(= 1)) "")
                  (~r (fourth entry) #:precision '(= 2))))
       (fprintf out "\nTwo futures against one, objects in one half: ~a.\n"
-               (~r speed-up #:precision '(= 2)))))
+               (~r speed-up #:precision '(= 2)))
+      (fprintf out "\n~a" tables)))
   (write-scaling-plot scaling (build-path folder "scaling.png")))

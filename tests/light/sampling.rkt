@@ -27,8 +27,10 @@
     (list (list "sphere, outside" (Sphere (Float3 0.4 0.3 1.2) 1 shining) origin)
           (list "sphere, far" (Sphere (Float3 3 2 6) 1 shining) origin)
           (list "sphere, inside" (Sphere (Float3 0.3 0.1 0.5) 1 both) origin)
-          (list "rectangle" (Quad (Float3 -1 -0.7 0.6) (Float3 0 2 0) (Float3 1.5 0 0) shining) origin)
-          (list "rectangle, wide" (Quad (Float3 -3 -2 0.3) (Float3 0 6 0) (Float3 5 0 0) shining) origin)
+          (list "rectangle"
+                (Quad (Float3 -1 -0.7 0.6) (Float3 0 2 0) (Float3 1.5 0 0) shining) origin)
+          (list "rectangle, wide"
+                (Quad (Float3 -3 -2 0.3) (Float3 0 6 0) (Float3 5 0 0) shining) origin)
           (list "rectangle, from behind"
                 (Quad (Float3 -1 -0.7 0.6) (Float3 1.5 0 0) (Float3 0 2 0) both) origin)
           (list "parallelogram" (Quad (Float3 -1 -1 0.8) (Float3 0.3 2 0) (Float3 2 0.4 0.5) both)
@@ -41,7 +43,8 @@
           (list "box, inside" (Box (Float3 -0.6 -0.4 -0.5) (Float3 0.8 0.5 1.3) both) origin)
           (list "mesh" roof (Float3 0.1 0.2 -0.2))
           (list "rectangle in an instance"
-                (Instance (Quad (Float3 -1 -0.7 0.6) (Float3 0 2 0) (Float3 1.5 0 0) both) turn) origin)
+                (Instance (Quad (Float3 -1 -0.7 0.6) (Float3 0 2 0) (Float3 1.5 0 0) both) turn)
+                origin)
           (list "mesh in an instance in a group" (Group (list (Instance roof turn)))
                 (Float3 0.1 0.2 -0.4))))
 
