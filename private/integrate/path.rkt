@@ -3,9 +3,9 @@
 ;;   L(x, out) = emitted + integral of bsdf(out, in) L(in) cos(in) over directions
 ;; At each vertex the light is estimated twice, by sampling a light and by sampling the material,
 ;; and the two are weighted by the balance of their densities (Veach 1997, power heuristic).
-(require "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt"
+(require racket/promise "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt"
          "../sample/sampler.rkt"
-         "../material/material.rkt" "../material/kernel.rkt" "../material/kernels.rkt"
+         "../material/material.rkt" "../material/kernel.rkt"
          "../material/emitter.rkt" "../light/light.rkt" "../light/choice.rkt"
          "../world/scene.rkt" "../world/trace.rkt"
          "seed.rkt")
@@ -29,9 +29,7 @@
 ;; A procedure that takes the ray in the scratch and leaves one sample of its radiance there.
 (: path-integrator (-> Scene PathLimits (-> FlVector FxVector Void)))
 (define (path-integrator scene limits)
-  (define kernels : (Vectorof MaterialKernel)
-    (for/vector : (Vectorof MaterialKernel) ([material (in-vector (Scene-materials scene))])
-      (Material-kernel material)))
+  (define kernels (force (Scene-material-kernels scene)))
   (define emission (pack-emission (Scene-materials scene)))
   (define background (Scene-background scene))
   (define lights (Scene-lights scene))
@@ -93,7 +91,10 @@
 ;; that the last vertex could have sampled the light that was hit. Left in light-density.
 (: put-emission-weight! (-> Scene (Vectorof LightKernel) Boolean FlVector FxVector Void))
 (define (put-emission-weight! scene lights transmitting? r i)
-  (define light (fxvector-ref (Scene-primitive-lights scene) (fxvector-ref i hit-primitive)))
+  (define known (fxvector-ref (Scene-primitive-lights scene) (fxvector-ref i hit-primitive)))
+  ;; below -1: one of a composite's parts
+  (define light
+    (if (fx< known -1) ((vector-ref (Scene-part-lights scene) (fx- -2 known)) i) known))
   (if (fx< light 0)
       (flvector-set! r light-density 1.0)
       (put-light-weight! scene lights light transmitting? r i)))

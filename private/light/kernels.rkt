@@ -1,7 +1,7 @@
 #lang typed/racket/base
 ;; The kernel of any light and of any shape that shines: the one place that lists them all.
-(require "../shape/shape.rkt" "../shape/sphere.rkt" "../shape/kernels.rkt"
-         "../material/emitter.rkt" "../base/check.rkt"
+(require "../shape/shape.rkt" "../shape/sphere.rkt" 
+         "../material/material.rkt" "../material/emitter.rkt" "../base/check.rkt"
          "../shape/quad.rkt" "../shape/disk.rkt" "../shape/triangle.rkt" "../shape/box.rkt"
          "../shape/mesh.rkt"
          "light.rkt" "distant.rkt" "point.rkt" "spot.rkt" "sphere.rkt" "quad.rkt" "planar.rkt"
@@ -18,10 +18,10 @@
     [else (raise-expected 'World "lights" "lights of this library" light)]))
 
 ;; The light that a shape with an emitting material is; #f where it does not shine, or has no way to
-;; be sampled and only scattered rays find it. primitive: its index in the world.
-(: Shape-light-kernel (-> Shape Fixnum (U #f LightKernel)))
-(define (Shape-light-kernel shape primitive)
-  (define emitter (Shape-material shape))
+;; be sampled and only scattered rays find it (composites: see parts.rkt). primitive: its index in
+;; the world, which does not shadow itself, or -1.
+(: Shape-light-kernel (-> Shape Material Fixnum (U #f LightKernel)))
+(define (Shape-light-kernel shape emitter primitive)
   (cond
     [(not (Emitter? emitter)) #f]
     [(Sphere? shape) (Sphere-light-kernel shape emitter primitive)]
@@ -29,5 +29,5 @@
     [(Disk? shape) (Disk-light-kernel shape emitter primitive)]
     [(Triangle? shape) (Triangle-light-kernel shape emitter primitive)]
     [(Box? shape) (Box-light-kernel shape emitter primitive)]
-    [(Mesh? shape) (Mesh-light-kernel shape emitter primitive)]
+    [(Mesh? shape) (Mesh-light-kernel shape emitter)]
     [else #f]))

@@ -7,10 +7,11 @@
 (provide Mesh-light-kernel)
 
 ;; A mesh may shadow itself, so none of it is passed over by shadow rays: they end short of the
-;; triangle by the rounding of the point on it. Triangles without area are never chosen; a mesh
-;; without area is no light, and the result #f.
-(: Mesh-light-kernel (-> Mesh Emitter Fixnum (U #f LightKernel)))
-(define (Mesh-light-kernel mesh emitter primitive)
+;; triangle by the rounding of the point on it, and by what a composite's part needs more (see
+;; parts.rkt). level: where in the path to a hit the triangle's number is. Triangles without area
+;; are never chosen; a mesh without area is no light, and the result #f.
+(: Mesh-light-kernel (->* (Mesh Emitter) (Fixnum Flonum Flonum) (U #f LightKernel)))
+(define (Mesh-light-kernel mesh emitter [level 0] [absolute 0.0] [relative 0.0])
   (define positions (Mesh-positions mesh))
   (define triangles (Mesh-triangles mesh))
   (define count (Mesh-triangle-count mesh))
@@ -41,17 +42,15 @@
           (let* ([size (fl+ (Float3-largest-magnitude a)
                             (fl+ (Float3-largest-magnitude ab) (Float3-largest-magnitude ac)))]
                  [error (fl* (fl* 32.0 (ROUNDING)) size)]
-                 [cosine (flabs (Float3-dot normal (Float3-in r light-direction)))]
-                 [shorter (fl- (flvector-ref r light-distance) (fl/ error cosine))])
+                 [cosine (flabs (Float3-dot normal (Float3-in r light-direction)))])
             (when (fl> (flvector-ref r light-density) 0.0)
-              (if (fl> shorter 0.0)
-                  (flvector-set! r light-distance shorter)
-                  (dark! r))))))))
+              (end-short! r (fl+ absolute error) relative cosine)))))))
 
+  (define place (fx+ hit-path level))
   ;; Of the triangle that was hit, at the hit.
   (: density (-> FlVector FxVector Void))
   (define (density r i)
-    (define triangle (fxvector-ref i (fx+ hit-path (fxvector-ref i nest-level))))
+    (define triangle (fxvector-ref i place))
     (let-corners (a b c) (positions triangles triangle)
       (let-float3 ([across (Float3-cross (Float3-subtract b a) (Float3-subtract c a))]
                    [normal (Float3-normalized
@@ -102,7 +101,7 @@
 ;; others like a closed one.
 (: mesh-bound (-> Mesh Flonum Float3 Boolean LightBound))
 (define (mesh-bound mesh area radiance two-sided?)
-  (define box (ShapeKernel-bounds (Mesh-kernel mesh)))
+  (define box (corners-bounds mesh))
   (define total (total-across mesh))
   (define length (Float3-length total))
   ;; what a closed mesh's rounding leaves is no direction
@@ -111,6 +110,17 @@
   (if (fl> least 0.0)
       (flat-bound box radiance area axis (flacos least) two-sided?)
       (round-bound box radiance (if two-sided? (fl* 2.0 area) area))))
+
+(: corners-bounds (-> Mesh FlVector))
+(define (corners-bounds mesh)
+  (define-values (positions triangles) (values (Mesh-positions mesh) (Mesh-triangles mesh)))
+  (define bounds (flvector +inf.0 +inf.0 +inf.0 -inf.0 -inf.0 -inf.0))
+  (for* ([corner : Nonnegative-Fixnum (in-range (fxvector-length triangles))]
+         [axis : Nonnegative-Fixnum (in-range 3)])
+    (define x (flvector-ref positions (fx+ axis (fx* 3 (fxvector-ref triangles corner)))))
+    (flvector-set! bounds axis (flmin x (flvector-ref bounds axis)))
+    (flvector-set! bounds (fx+ 3 axis) (flmax x (flvector-ref bounds (fx+ 3 axis)))))
+  bounds)
 
 ;; The sum of the triangles' normals, each twice the area long.
 (: total-across (-> Mesh Float3))

@@ -5,7 +5,7 @@
          "../sample/warp.rkt"
          "../shape/disk.rkt" "../shape/triangle.rkt" "../material/emitter.rkt" "light.rkt")
 
-(provide Disk-light-kernel Triangle-light-kernel put-area-sample! put-area-density! dark!)
+(provide Disk-light-kernel Triangle-light-kernel put-area-sample! put-area-density! end-short! dark!)
 
 ;; From a point of the light in `workspace`: direction, distance, radiance over density. The light
 ;; shines to the side of `normal`, or to both.
@@ -37,6 +37,15 @@
                      (if (fl> cosine 0.0)
                          (fl/ (fl* distance distance) (fl* cosine area))
                          0.0)))))
+
+;; Ends the way to the light short of it, by a length and a part of the way, across the light: the
+;; flatter the way meets it, the more.
+(define-syntax-rule (end-short! r absolute relative cosine)
+  (let* ([distance (flvector-ref r light-distance)]
+         [shorter (fl- distance (fl/ (fl+ absolute (fl* relative distance)) cosine))])
+    (if (fl> shorter 0.0)
+        (flvector-set! r light-distance shorter)
+        (dark! r))))
 
 ;; Nothing arrives.
 (define-syntax-rule (dark! r)

@@ -47,7 +47,11 @@
                         [half-chord (flsqrt (flmax 0.0 (fl- r-squared aside-squared)))]
                         [solid-angle (fl* (TWO-PI) height)])
                    (Float3-put! r light-direction (Frame-to-world tangent bitangent axis local))
-                   (flvector-set! r light-distance (fl- along half-chord))
+                   ;; from the wall of a room it is the wall on the other side
+                   (flvector-set! r light-distance
+                                  (if (and two-sided? (fl< squared (fl* 1.000000000001 r-squared)))
+                                      (fl+ along half-chord)
+                                      (fl- along half-chord)))
                    (Float3-put! r light-radiance (Float3-scale-by-scalar radiance solid-angle))
                    (flvector-set! r light-density (fl/ 1.0 solid-angle))))))]
           [two-sided?

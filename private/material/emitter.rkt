@@ -1,6 +1,9 @@
 #lang typed/racket/base
 ;; A surface that shines. radiance: linear RGB, the same in every direction and however far away.
-;; A shape with this material is a light; it need not be listed among the world's lights.
+;; A shape with this material is a light; it need not be listed among the world's lights. Spheres,
+;; quads, disks, triangles, boxes and meshes are sampled, in groups and instances too; other shapes,
+;; those that move and the parts of solids are found by scattered rays alone: the same light, with
+;; more noise.
 ;; two-sided: whether the inside (or back) shines too. surface: the material that scatters the light
 ;; that falls on it, #f where none is reflected.
 (require (for-syntax racket/base)

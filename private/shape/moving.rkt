@@ -11,8 +11,9 @@
 ;; shutter opens (ray time 0) and when it closes (1).
 (struct Moving Composite ([shape : Shape] [from : Transform] [to : Transform]) #:transparent)
 
-;; Moving : the shape on its way from one place to another. Raises where composites nest too deep
-;; and where the shape would be flat on its way, as one that turns by half a circle.
+;; Moving : the shape on its way from one place to another. If it shines, scattered rays alone find
+;; it. Raises where composites nest too deep and where the shape would be flat on its way, as one
+;; that turns by half a circle.
 (: make-Moving (-> Shape Transform Transform Moving))
 (define (make-Moving shape from to)
   (unless (never-flat? from to)

@@ -22,8 +22,9 @@
 ;; surface where b was taken away looks out of a. Each part of the surface has the material of the
 ;; shape it comes from; #:material, if given, takes the place of all of them. The shapes of a group
 ;; must not overlap. Surfaces nearer to each other than the errors of their points count as one, so
-;; shapes that touch join without a seam. Raises for a shape that is known to be open and where
-;; composites nest too deep; solids of solids are one level, of up to 48 shapes.
+;; shapes that touch join without a seam. A part that shines is found by scattered rays alone.
+;; Raises for a shape that is known to be open and where composites nest too deep; solids of solids
+;; are one level, of up to 48 shapes.
 (: make-SolidUnion (->* (Shape Shape) (#:material (U #f MaterialOrColor)) SolidUnion))
 (define (make-SolidUnion a b #:material [material #f])
   (SolidUnion (check-parts 'SolidUnion a b) a b (and material (->material material))))

@@ -5,18 +5,24 @@
          "../base/unsafe.rkt" "../base/float3.rkt"
          "../shape/shape.rkt" "../shape/kernel.rkt" "../shape/kernels.rkt" "../shape/sphere.rkt"
          "../shape/composite.rkt"
-         "../material/material.rkt"
-         "../light/light.rkt" "../light/kernels.rkt" "../light/choice.rkt"
+         "../material/material.rkt" "../material/kernel.rkt" "../material/kernels.rkt"
+         "../base/unsafe-typed.rkt"
+         "../light/light.rkt" "../light/kernels.rkt" "../light/parts.rkt" "../light/choice.rkt"
          "background.rkt" "hierarchy.rkt")
 
 (provide (struct-out Scene) compile-scene)
+
+(unsafe-require/typed "../base/promise.rkt" [once (All (a) (-> (-> a) (Promise a)))])
 
 ;; bounds, links, order: the hierarchy over the bounded primitives. spheres: centre and radius of
 ;; the sphere at each place of the hierarchy, radius -1 where the primitive is another shape;
 ;; primitive-spheres: the same by primitive.
 ;; unbounded: primitives without a box, tried for every ray. kernels: by primitive, #f for
-;; spheres. background-light: the number of the light that the background is, the last one, or -1.
-;; primitive-materials: index into materials by primitive. extent: the largest coordinate.
+;; spheres. primitive-materials: index into materials by primitive. primitive-lights: by primitive
+;; the number of the light it is, -1 for none, and -2 - k for a composite with lights among its
+;; parts, which part-lights tells apart at k. background-light: the number of the light that the
+;; background is, the last one, or -1. extent: the largest coordinate. material-kernels: by number, made
+;; when a path is first traced.
 (struct Scene
   ([bounds : FlVector] [links : FxVector] [order : FxVector]
    [spheres : FlVector] [primitive-spheres : FlVector]
@@ -24,9 +30,11 @@
    [kernels : (Vectorof (U #f ShapeKernel))]
    [primitive-materials : FxVector] [materials : (Vectorof Material)]
    [lights : (Vectorof LightKernel)] [light-choice : LightChoice]
-   [primitive-lights : FxVector] [background-light : Fixnum]
+   [primitive-lights : FxVector] [part-lights : (Vectorof FindLight)]
+   [background-light : Fixnum]
    [background : (-> FlVector FxVector Void)]
-   [extent : Flonum]))
+   [extent : Flonum]
+   [material-kernels : (Promise (Vectorof MaterialKernel))]))
 
 ;; Boxes are padded by a few roundings of their coordinates, so that a hit the intersection finds
 ;; on the very edge of a shape is never outside the box.
@@ -95,8 +103,9 @@
     (when (fx< k count)
       (fxvector-set! all k k)
       (loop (fx+ k 1))))
-  (define-values (shape-lights primitive-lights) (find-shape-lights shapes))
+  (define-values (shape-lights primitive-lights part-lights) (find-shape-lights shapes))
   (define background-light (Background-light-kernel background))
+  (define materials (all-materials))
   (define light-kernels
     (list->vector (append shape-lights (map Light-kernel lights)
                           (if background-light (list background-light) '()))))
@@ -106,11 +115,15 @@
          (and (= bounded-count count)
               (for/and : Boolean ([shape (in-vector shapes)]) (Sphere? shape)))
          (fxvector-copy unbounded 0 (- count bounded-count))
-         kernels primitive-materials (all-materials)
+         kernels primitive-materials materials
          light-kernels (make-light-choice light-kernels)
-         primitive-lights (if background-light (- (vector-length light-kernels) 1) -1)
+         primitive-lights part-lights
+         (if background-light (- (vector-length light-kernels) 1) -1)
          (Background-kernel background)
-         (largest-magnitude boxes (* 6 bounded-count))))
+         (largest-magnitude boxes (* 6 bounded-count))
+         (once (lambda ()
+                 (for/vector : (Vectorof MaterialKernel) ([material (in-vector materials)])
+                   (Material-kernel material))))))
 
 ;; A procedure that numbers materials by identity in the order it meets them, those of the parts of
 ;; composites too, and one that returns all it has met.
@@ -139,18 +152,31 @@
     (fxvector-set! numbers k (number (Shape-material (vector-ref shapes k)))))
   numbers)
 
-;; The shapes that are sampled as lights, and for every primitive its number among them or -1.
-(: find-shape-lights (-> (Vectorof Shape) (Values (Listof LightKernel) FxVector)))
+;; The lights that shapes and parts of composites are; for every primitive its number among them, -1
+;; or what stands for a composite; and by that what tells the number of the part that was hit.
+(: find-shape-lights (-> (Vectorof Shape)
+                         (Values (Listof LightKernel) FxVector (Vectorof FindLight))))
 (define (find-shape-lights shapes)
   (define primitive-lights (make-fxvector (vector-length shapes) -1))
-  (let loop ([k : Nonnegative-Fixnum 0] [found : Fixnum 0] [lights : (Listof LightKernel) '()])
-    (cond
-      [(= k (vector-length shapes)) (values (reverse lights) primitive-lights)]
-      [(Shape-light-kernel (vector-ref shapes k) k)
-       => (lambda ([light : LightKernel])
-            (fxvector-set! primitive-lights k found)
-            (loop (assert (+ k 1) fixnum?) (fx+ found 1) (cons light lights)))]
-      [else (loop (assert (+ k 1) fixnum?) found lights)])))
+  (define-values (lights count finders finder-count)
+    (for/fold ([lights : (Listof LightKernel) '()] [count : Fixnum 0]
+               [finders : (Listof FindLight) '()] [finder-count : Fixnum 0])
+              ([shape (in-vector shapes)] [k : Nonnegative-Fixnum (in-range (vector-length shapes))])
+      (cond
+        [(Composite? shape)
+         (define-values (parts find) (part-lights shape count))
+         (cond
+           [find
+            (fxvector-set! primitive-lights k (fx- -2 finder-count))
+            (values (append (reverse parts) lights) (fx+ count (length parts))
+                    (cons find finders) (fx+ finder-count 1))]
+           [else (values lights count finders finder-count)])]
+        [(Shape-light-kernel shape (Shape-material shape) k)
+         => (lambda ([light : LightKernel])
+              (fxvector-set! primitive-lights k count)
+              (values (cons light lights) (fx+ count 1) finders finder-count))]
+        [else (values lights count finders finder-count)])))
+  (values (reverse lights) primitive-lights (list->vector (reverse finders))))
 
 (: packed-spheres (-> (Vectorof Shape) FxVector FlVector))
 (define (packed-spheres shapes order)

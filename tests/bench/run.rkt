@@ -10,7 +10,7 @@
          (prefix-in weekend: raytrace/scenes/weekend)
          (prefix-in cornell: raytrace/scenes/cornell-diffuse)
          (prefix-in shadows: raytrace/scenes/soft-shadows)
-         "worlds.rkt" "scan.rkt" "meshes.rkt" "unit.rkt")
+         "worlds.rkt" "scan.rkt" "meshes.rkt" "unit.rkt" "many-lights.rkt" "features.rkt" "cornell.rkt")
 
 (lazy-require ["scaling-plot.rkt" (write-scaling-plot)])
 
@@ -90,6 +90,15 @@
   (define speed-up (future-speed-up))
   (printf "two futures against one, objects in one half: ~a\n" (~r speed-up #:precision '(= 2)))
   (define unit-after (calibration-unit))
+  (define tables
+    (let ([text (open-output-string)])
+      (write-cornell text unit-after)
+      (newline text)
+      (write-many-lights text unit-after)
+      (newline text)
+      (write-features text)
+      (get-output-string text)))
+  (display tables)
   (printf "1 cu after = ~a s\n" (~r unit-after #:precision '(= 3)))
   (call-with-output-file (build-path folder "benchmark.md") #:exists 'truncate
     (lambda (out)
@@ -110,5 +119,6 @@
       (fprintf out "\n| mesh | cu | limit |\n|---|---|---|\n")
       (for ([text (in-list mesh-rows)]) (fprintf out "~a\n" text))
       (fprintf out "\nTwo futures against one, objects in one half: ~a.\n"
-               (~r speed-up #:precision '(= 2)))))
+               (~r speed-up #:precision '(= 2)))
+      (fprintf out "\n~a" tables)))
   (write-scaling-plot scaling (build-path folder "scaling.png")))

@@ -15,6 +15,19 @@
                     (look-from (Float3-add (Float3 0 1 0) normal) (Float3 0 1 0))
                     (/ 2.580484742999784 pi)))
 
+  (test-case "A18: the overcast sky (1 + 2 sin(elevation)) / 3 over a level matte plate"
+    ;; light adds up: that sky is 4/3 of one that grows from 0 below to 1 above, less 1/3 of a white
+    ;; one; the plate has albedo 1 and shows the irradiance over pi
+    (define plate (Disk black (Float3 0 1 0) 1 (grey 1)))
+    (define (plate-under sky)
+      (measure (World (list plate) '() sky) (look-from (Float3 0.1 1 0.2) black)
+               #:samples 256))
+    (define-values (growing growing-error) (plate-under (GradientSky (Float3 0 0 0) (Float3 1 1 1))))
+    (define-values (even even-error) (plate-under white))
+    (define error (sqrt (+ (expt (* 4/3 growing-error) 2) (expt (* 1/3 even-error) 2))))
+    (check-= (* pi (- (* 4/3 growing) (* 1/3 even))) 2.443460952792061 (+ (* 4.5 pi error) 1e-12))
+    (check-true (< error 0.005)))
+
   (test-case "A20: the direct light on the Cornell box's floor, near a corner"
     (define light (Quad (Float3 213 554 227) (Float3 130 0 0) (Float3 0 0 105)
                         (Emitter (Float3 15 15 15))))

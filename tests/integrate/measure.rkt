@@ -21,13 +21,15 @@
     (/ (for/sum ([v (in-list values*)]) (sqr (- v mean))) (- seeds 1)))
   (values mean (sqrt (/ variance seeds))))
 
+;; precision: the largest standard error that will do, as a part of what is expected.
 (define (check-radiance world camera expected #:samples [samples 64] #:seeds [seeds 64]
-                        #:max-depth [max-depth #f] #:size [size 1])
+                        #:max-depth [max-depth #f] #:size [size 1] #:precision [precision +inf.0])
   (define-values (mean error)
     (measure world camera #:samples samples #:seeds seeds #:max-depth max-depth #:size size))
   ;; rounding of a sum of a few thousand numbers where there is no variance at all
   (unless (<= (abs (- mean expected)) (+ (* 4.5 error) (* 1e-12 expected)))
-    (fail (format "mean ~a, standard error ~a, expected ~a" mean error expected))))
+    (fail (format "mean ~a, standard error ~a, expected ~a" mean error expected)))
+  (when (> error (* precision expected)) (fail (format "standard error ~a of ~a" error expected))))
 
 ;; A camera so narrow that it sees one point.
 (define (look-from eye at #:up [up (Float3 0 1 0)])
