@@ -20,7 +20,8 @@
            "private/material/rough-conductor.rkt" "private/material/rough-dielectric.rkt"
            "private/light/light.rkt" "private/light/distant.rkt" "private/light/point.rkt"
            "private/light/spot.rkt" "private/light/environment.rkt"
-           "private/world/ray.rkt" "private/world/camera.rkt" "private/world/camera-kernel.rkt" "private/world/background.rkt"
+           "private/world/ray.rkt" "private/world/camera.rkt" "private/world/camera-kernel.rkt"
+           "private/world/projection.rkt" "private/world/background.rkt"
            "private/world/world.rkt" "private/integrate/query.rkt"
            "private/sample/sampler.rkt" "private/render/render.rkt" "private/image/image.rkt"
            "private/image/error.rkt" "private/image/write.rkt")
@@ -102,6 +103,8 @@
  SpotLight-cone-angle SpotLight-falloff-angle
  GradientSky GradientSky? GradientSky-bottom GradientSky-top
  EnvironmentMap EnvironmentMap? EnvironmentMap-image EnvironmentMap-rotation EnvironmentMap-scale
+ Projection? Projection-perspective Projection-orthographic Projection-point Projection-unproject
+ Projection-matrix-rows
  ;; worlds
  World World? World-shapes World-spheres World-lights World-sun World-background
  World-background-color World-nearest-hit World-occluded? World-ray-trace World-get-color-at

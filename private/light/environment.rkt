@@ -255,7 +255,7 @@
                          (if (fl> density 0.0) (fl/ scale density) 0.0))))
   (: density! (-> FlVector FxVector Void))
   (define (density! r i)
-    (let-float3 ([d (Float3-normalized (Float3-in r ray-direction))])
+    (let-float3 ([d (Float3-normalized (Float3-in r in-direction))])
       (let* ([x (fl->fx (fl* (longitude-part (Float3-x d) (Float3-z d) rotation)
                              (fx->fl width)))]
              [y (fl->fx (fl* (latitude-part (Float3-y d)) (fx->fl height)))]
