@@ -9,14 +9,16 @@
          (prefix-in vectors: "vectors.rkt") (prefix-in worlds: "worlds.rkt")
          (prefix-in pictures: "pictures.rkt") (prefix-in sums: "sums.rkt")
          (prefix-in cameras: "cameras.rkt") (prefix-in lights: "lights.rkt")
-         (prefix-in files: "files.rkt") (prefix-in numbers: "numbers.rkt"))
+         (prefix-in files: "files.rkt") (prefix-in numbers: "numbers.rkt")
+         (prefix-in errors: "errors.rkt"))
 
 ;; The size at which all cases together take about a minute.
 (define QUICK 1/200)
 
 (define stress-cases
   (sort (append spheres:cases meshes:cases boxes:cases roots:cases vectors:cases worlds:cases
-                pictures:cases sums:cases cameras:cases lights:cases files:cases numbers:cases)
+                pictures:cases sums:cases cameras:cases lights:cases files:cases numbers:cases
+                errors:cases)
         string<? #:key stress-case-name))
 
 ;; What was measured, whether it passed and the seconds it took; an exception fails.
