@@ -9,7 +9,7 @@
 (define (estimate size)
   (define found
     (for/list ([s (in-list error-scenes)])
-      (measure-estimate s (amount 64 size 24) '((#:samples . 16)))))
+      (measure-estimate s (amount 64 size 8) '((#:samples . 16)))))
   (values (format "true RMSE ~a +- ~a of the estimate on six scenes"
                   (map rounded (map estimated-ratio found))
                   (map rounded (map estimated-uncertainty found)))
