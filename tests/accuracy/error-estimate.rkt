@@ -44,9 +44,10 @@
   ;; ----------------------------------------------------------------------------------------------
 
   (define ball-scene
-    (scene "a ball that shines" (World (list (Sphere (Float3 0 0 0) 1 (Lambertian (Float3 0.5 0.5 0.5)))
-                                             (Sphere (Float3 1 1.5 1) 0.4 (Emitter (Float3 9 9 9))))
-                                       '() (Float3 0.2 0.3 0.4))
+    (scene "a ball and a lamp"
+           (World (list (Sphere (Float3 0 0 0) 1 (Lambertian (Float3 0.5 0.5 0.5)))
+                        (Sphere (Float3 1 1.5 1) 0.4 (Emitter (Float3 9 9 9))))
+                  '() (Float3 0.2 0.3 0.4))
            (Camera-look-at (Float3 0 0 8) (Float3 0 0 0))))
 
   (test-case "a pixel of the constant background gets its pilot samples only"

@@ -79,7 +79,7 @@
             (fl/ 0.5 (fl+ 1.0 (fl/ 1.0 64.0))) 0.8))
 
 ;; relative-errors : the RMSE of means over the first n points of a sampler by name, relative to each
-;; integral; its grids have n points. One mean for each of `repeats` seeds. In the order of INTEGRANDS.
+;; integral, in the order of INTEGRANDS. Its grids have n points; `repeats` seeds, a mean for each.
 (: relative-errors (-> Symbol Positive-Fixnum Positive-Fixnum (Listof Flonum)))
 (define (relative-errors name n repeats)
   (define r (make-flonum-registers))
