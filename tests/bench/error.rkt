@@ -2,8 +2,8 @@
 ;; Run time against error: racket tests/bench/error.rkt [--size quick|full] [--scene NAME] [FOLDER]
 ;; writes error.md and a plot for each scene there (by default the current folder). Six small
 ;; pictures by every sampler at several numbers of samples, and rendered until an error: RMSE against
-;; a stored reference, CPU time of one worker, the slope of their logarithms, and the CPU time until an
-;; RMSE of 0.01, in units of a fixed loop (cu).
+;; a stored reference, CPU time of one worker, the slope of their logarithms, and the CPU time until
+;; an RMSE of 0.01, in units of a fixed loop (cu).
 ;;   racket tests/bench/error.rkt --references SAMPLES   renders the references anew
 (require racket/cmdline racket/file racket/flonum racket/format racket/lazy-require racket/list
          racket/runtime-path raytrace
