@@ -37,7 +37,10 @@
 (define (make-passes film width tile-count goal)
   (define error (Goal-error goal))
   (define seconds (Goal-seconds goal))
-  (define most (Goal-samples goal))
+  ;; samples are added in pairs, one of each stream
+  (define most
+    (let ([samples (Goal-samples goal)])
+      (if (and (or error seconds) (> samples 1)) (fxand samples -2) samples)))
   (define start (current-inexact-milliseconds))
   (define count : Fixnum 0)
   (define stopped-by 'samples)

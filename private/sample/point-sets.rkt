@@ -123,7 +123,8 @@
       [else (try (fx- d 1))])))
 
 ;; Where index goes in a permutation of 0 .. count - 1 (Kensler, "Correlated Multi-Jittered
-;; Sampling", 2013): a hash that permutes the next power of two, walked until it falls below count.
+;; Sampling", 2013): a hash that permutes the next power of two, walked until it falls below count,
+;; and turned by another hash of the seed.
 (: permuted (-> Fixnum Fixnum Fixnum Fixnum))
 (define (permuted index count seed)
   (define mask (ones-up-to (fx- count 1)))
@@ -145,8 +146,9 @@
            [k (fxand (fx*/wraparound k (fixnum-literal #x74dcb303)) mask)]
            [k (fxxor k (fxrshift k 2))]
            [k (fxand (fx*/wraparound k (fixnum-literal #x9e501cc3)) mask)]
-           [k (fxand (fx+ (fxxor k (fxrshift k 5)) seed) mask)])
-      (if (fx< k count) k (walk k)))))
+           [k (fxxor k (fxrshift k 5))])
+      ;; the turn makes every cell as likely as any other at small counts too
+      (if (fx< k count) (fxremainder (fx+ k (hash32 seed)) count) (walk k)))))
 
 ;; The least 2^m - 1 that is not below x.
 (: ones-up-to (-> Fixnum Fixnum))

@@ -1,9 +1,11 @@
 #lang typed/racket/base
 ;; The sampler's points as flvectors, for the tests.
 (require racket/flonum racket/fixnum
-         "../../private/base/registers.rkt" "../../private/sample/sampler.rkt")
+         "../../private/base/registers.rkt"
+         "../../private/sample/sampler.rkt" "../../private/sample/point-sets.rkt")
 
-(provide pairs-of-indices pairs-of-pixels pairs-in-turn fold-pairs)
+(provide pairs-of-indices pairs-of-pixels pairs-in-turn fold-pairs
+         pairs-of-sampler pixel-pairs-of-sampler unrotated-r2-pairs)
 
 ;; Fills u and v by calling draw! with 0 .. count-1 before each pair is read.
 (: collect (-> Nonnegative-Fixnum (-> FlVector FxVector Fixnum Void) (Values FlVector FlVector)))
@@ -55,3 +57,32 @@
                (for ([d (in-range dimension)]) (sample-next-pair! r i))
                (sample-fold-start! i count))
              (sample-fold-pair! r i k))))
+
+;; The pairs of a sampler by name, its grids of `grid` points, at first, first + 1, ...
+(: pairs-of-sampler (-> Symbol Fixnum Fixnum Fixnum Fixnum Fixnum Nonnegative-Fixnum
+                        (Values FlVector FlVector)))
+(define (pairs-of-sampler name grid seed pixel dimension first count)
+  (define number (sampler-number name))
+  (collect count
+           (lambda ([r : FlVector] [i : FxVector] [k : Fixnum])
+             (Sampler-choose! i number grid)
+             (Sampler-start! i pixel seed 0)
+             (sample-pair! r i dimension (fx+ first k)))))
+
+;; The pairs of a sampler by name, one dimension and index, at pixels 0 .. count - 1.
+(: pixel-pairs-of-sampler (-> Symbol Fixnum Fixnum Fixnum Fixnum Nonnegative-Fixnum
+                              (Values FlVector FlVector)))
+(define (pixel-pairs-of-sampler name grid seed dimension index count)
+  (define number (sampler-number name))
+  (collect count
+           (lambda ([r : FlVector] [i : FxVector] [k : Fixnum])
+             (Sampler-choose! i number grid)
+             (Sampler-start! i k seed 0)
+             (sample-pair! r i dimension index))))
+
+;; The R2 sequence itself from point 0 on, neither shuffled nor rotated.
+(: unrotated-r2-pairs (-> Nonnegative-Fixnum (Values FlVector FlVector)))
+(define (unrotated-r2-pairs count)
+  (collect count
+           (lambda ([r : FlVector] [i : FxVector] [k : Fixnum])
+             (put-rotated-r2! r k 0 0))))

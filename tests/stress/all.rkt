@@ -10,7 +10,7 @@
          (prefix-in pictures: "pictures.rkt") (prefix-in sums: "sums.rkt")
          (prefix-in cameras: "cameras.rkt") (prefix-in lights: "lights.rkt")
          (prefix-in files: "files.rkt") (prefix-in numbers: "numbers.rkt")
-         (prefix-in large: "large.rkt"))
+         (prefix-in large: "large.rkt") (prefix-in errors: "errors.rkt"))
 
 ;; The size at which all cases together take about a minute.
 (define QUICK 1/200)
@@ -18,7 +18,7 @@
 (define stress-cases
   (sort (append spheres:cases meshes:cases boxes:cases roots:cases vectors:cases worlds:cases
                 pictures:cases sums:cases cameras:cases lights:cases files:cases numbers:cases
-                large:cases)
+                large:cases errors:cases)
         string<? #:key stress-case-name))
 
 ;; What was measured, whether it passed and the seconds it took; an exception fails.
