@@ -24,6 +24,9 @@
 ;; before memory follows it: encoded channels reach 16, whole pixels repeated more.
 (define PIXELS-PER-BYTE 1024)
 
+;; What was applied to a picture in all, within limits that keep every sample finite.
+(define LARGEST-FACTOR 1e100)
+
 ;; ----------------------------------------------------------------------------------------------
 ;; Writing
 
@@ -150,11 +153,11 @@
       (define factors (map finite-decimal (words-of (subbytes line (- value-at at)))))
       (define applied
         (and (= (length factors) count)
-             (andmap (lambda (f) (and f (> f 0.0))) factors)
+             (andmap (lambda (f) (and f (positive? f))) factors)
              (map * corrections
                   (if (= count 1) (list* (car factors) (car factors) factors) factors))))
-      (unless (and applied (andmap (lambda (f) (< 0.0 f +inf.0)) applied))
-        (picture-error path "byte ~a: expected ~a, found ~a"
+      (unless (and applied (andmap (lambda (f) (<= (/ LARGEST-FACTOR) f LARGEST-FACTOR)) applied))
+        (picture-error path "byte ~a: expected ~a of 1e-100 to 1e100, found ~a"
                        value-at expected (show-bytes (subbytes line (- value-at at)))))
       applied)
     (cond [(equal? line #"") (values corrections after)]
@@ -167,10 +170,10 @@
                 (next-line after corrections))]
           [(setting #"EXPOSURE=")
            => (lambda (value-at)
-                (next-line after (factors value-at 1 "an exposure, a positive number")))]
+                (next-line after (factors value-at 1 "an exposure")))]
           [(setting #"COLORCORR=")
            => (lambda (value-at)
-                (next-line after (factors value-at 3 "a colour correction, three positive numbers")))]
+                (next-line after (factors value-at 3 "a colour correction, three factors")))]
           [else (next-line after corrections)])))
 
 ;; The line that begins at an offset, without its end, and the offset after that.

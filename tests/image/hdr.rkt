@@ -171,13 +171,14 @@
      (refused #"#?RADIANCE" "byte 0" "whole header")
      (refused #"#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\nabcd"
               "byte 18" "expected the format 32-bit_rle_rgbe" "\"32-bit_rle_xyze\"")
-     (for ([value (in-list '(#"" #"0" #"-1" #"nan" #"inf" #"1e999" #"1e-999" #"1/2" #"1 2" #"x"))])
+     (for ([value (in-list '(#"" #"0" #"-1" #"nan" #"inf" #"1e101" #"1e-101"
+                             #"1e999" #"1e-999" #"1/2" #"1 2" #"x"))])
        (refused (bytes-append #"#?RADIANCE\nEXPOSURE=" value #"\n\n-Y 1 +X 1\nabcd")
-                "byte 20" "expected an exposure, a positive number"))
-     (refused #"#?RADIANCE\nEXPOSURE=1e300\nEXPOSURE=1e300\n\n-Y 1 +X 1\nabcd" "byte 35" "1e300")
+                "byte 20" "expected an exposure of 1e-100 to 1e100"))
+     (refused #"#?RADIANCE\nEXPOSURE=1e060\nEXPOSURE=1e060\n\n-Y 1 +X 1\nabcd" "byte 35" "1e060")
      (for ([value (in-list '(#"1" #"1 2" #"1 2 0" #"1 2 3 4" #"1 2 x"))])
        (refused (bytes-append #"#?RADIANCE\nCOLORCORR=" value #"\n\n-Y 1 +X 1\nabcd")
-                "byte 21" "three positive numbers"))
+                "byte 21" "a colour correction, three factors of 1e-100 to 1e100"))
      (for ([line (in-list '(#"" #"-Y 1" #"-Y 1 +Y 1" #"-Y 0 +X 1" #"Y 1 X 1" #"-Y 1 +X 1x"
                             #"-Y -1 +X 1" #"-Y 1000000000000000000000 +X 1" #"-Z 1 +X 1"))])
        (refused (bytes-append #"#?RADIANCE\n\n" line #"\nabcd") "byte 12" "a resolution such as"))
