@@ -6,7 +6,7 @@
 
 (define flags
   `((usage-help "Tells how far picture <A> is from picture <B>, its reference, in linear RGB."
-                "Pictures are .ppm, .pfm, .png or .jpg files of the same size.")
+                "Pictures are .ppm, .pfm, .hdr, .png or .jpg files of the same size.")
     (once-each
      [("-o" "--output") ,(lambda (flag file) file)
                         ("Write a false-colour picture of the difference to <file>" "file")])))

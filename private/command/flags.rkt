@@ -31,7 +31,7 @@
      "  compare A B    tells how far picture A is from picture B")
     (once-each
      [("-o" "--output") ,(text-flag 'output)
-                        (("Write the picture to <file>: .ppm, .pfm (linear) or .png;"
+                        (("Write the picture to <file>: .ppm, .png, .pfm or .hdr (linear);"
                           "- is PPM to standard output; by default the scene's name with .ppm")
                          "file")]
      [("--size") ,(lambda (flag text)

@@ -48,11 +48,8 @@
   (define begin (word-start bytes start))
   (define stop (word-end bytes begin))
   (define word (subbytes bytes begin stop))
-  (define scale
-    (and (<= (bytes-length word) 32)
-         (regexp-match? #px#"^[+-]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][+-]?[0-9]{1,3})?$" word)
-         (real->double-flonum (string->number (bytes->string/latin-1 word) 10))))
-  (unless (and scale (< 0.0 (abs scale) +inf.0))
+  (define scale (finite-decimal word))
+  (unless (and scale (< 0.0 (abs scale)))
     (picture-error path "byte ~a: expected a scale, a finite number other than 0, found ~a"
                    begin (show-bytes word)))
   (values scale stop))

@@ -2,7 +2,7 @@
 ;; What the readers of picture files share: a file's bytes, the header words of the Netpbm family,
 ;; and errors that say on one line which file, where in it, and what was expected.
 (provide picture-error error-reason read-picture-file
-         word-start word-end magic-word positive-word check-sample-bytes show-bytes)
+         word-start word-end magic-word positive-word finite-decimal check-sample-bytes show-bytes)
 
 ;; picture-error : raises exn:fail:user with the file's name and a formatted message on one line.
 (define (picture-error path template . arguments)
@@ -95,6 +95,15 @@
   (unless (and number (positive? number))
     (picture-error path "byte ~a: expected a positive ~a, found ~a" begin what (show-bytes word)))
   (values number stop))
+
+;; finite-decimal : the flonum that a word of at most 32 bytes writes as a decimal number, perhaps
+;; with an exponent, or #f if it is none or beyond the range.
+(define (finite-decimal word)
+  (define number
+    (and (<= (bytes-length word) 32)
+         (regexp-match? #px#"^[+-]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][+-]?[0-9]{1,3})?$" word)
+         (real->double-flonum (string->number (bytes->string/latin-1 word) 10))))
+  (and number (< (abs number) +inf.0) number))
 
 ;; check-sample-bytes : one white space byte ends the header at offset stop, and width x height
 ;; pixels of the given size follow; the offset of the first.

@@ -5,12 +5,14 @@
 (require "image.rkt" "ppm.rkt" "source.rkt" racket/lazy-require)
 
 (lazy-require ["pfm.rkt" (Image-write-pfm Image-read-pfm)]
+              ["hdr.rkt" (Image-write-hdr Image-read-hdr)]
               ["png.rkt" (Image-write-png Image-read-png Image-read-jpeg)])
 
 ;; Image-write : writes the image to a file whose extension tells the format: .ppm (P6, sRGB), .pfm
-;; (linear float) or .png (sRGB), in either case; #:format 'ppm, 'pfm or 'png overrides it. "-" is
-;; the current output port, PPM unless said otherwise. The file appears whole or not at all: it
-;; is written under a temporary name beside it and renamed. Raises exn:fail:user on failure.
+;; (linear float), .hdr (linear, Radiance RGBE) or .png (sRGB), in either case; #:format 'ppm, 'pfm,
+;; 'hdr or 'png overrides it. "-" is the current output port, PPM unless said otherwise. The file
+;; appears whole or not at all: it is written under a temporary name beside it and renamed. Raises
+;; exn:fail:user on failure.
 (define (Image-write image path #:format [format #f])
   (unless (Image? image)
     (raise-argument-error 'Image-write "Image?" image))
@@ -41,15 +43,16 @@
                                      (close-output-port out)
                                      (delete-file temporary)))))
 
-;; Image-read : the Image in a PPM (P3, P6), PFM, PNG or JPEG file, told by its first bytes.
+;; Image-read : the Image in a PPM (P3, P6), PFM, Radiance, PNG or JPEG file, told by its first bytes.
 (define (Image-read path)
   (define bytes
-    (read-picture-file path '(#"P6" #"P3" #"PF" #"Pf" #"\211PNG" #"\377\330")
-                       "a PPM (P6, P3), PFM, PNG or JPEG picture" #:only-start? #t))
+    (read-picture-file path '(#"P6" #"P3" #"PF" #"Pf" #"#?" #"\211PNG" #"\377\330")
+                       "a PPM (P6, P3), PFM, HDR, PNG or JPEG picture" #:only-start? #t))
   (define read-from
     (case (bytes-ref bytes 0)
       [(#x89) Image-read-png]
       [(#xFF) Image-read-jpeg]
+      [(35) Image-read-hdr]
       [else (if (memv (bytes-ref bytes 1) '(51 54)) Image-read-ppm Image-read-pfm)]))
   (read-from path))
 
@@ -59,6 +62,7 @@
   (case format
     [(ppm) Image-write-ppm]
     [(pfm) Image-write-pfm]
+    [(hdr) Image-write-hdr]
     [else Image-write-png]))
 
 (define (standard-output? path)
@@ -66,19 +70,20 @@
 
 ;; The format asked for, or the one the path's extension names.
 (define (format-of who path requested)
-  (unless (memq requested '(#f ppm pfm png))
-    (raise-argument-error who "(or/c #f 'ppm 'pfm 'png)" requested))
+  (unless (memq requested '(#f ppm pfm hdr png))
+    (raise-argument-error who "(or/c #f 'ppm 'pfm 'hdr 'png)" requested))
   (unless (path-string? path)
     (picture-error (format "~s" path) "expected the name of a picture file"))
   (or requested
       (and (standard-output? path) 'ppm)
       (extension-format path)
-      (picture-error path "expected a file name that ends with .ppm, .pfm or .png")))
+      (picture-error path "expected a file name that ends with .ppm, .pfm, .hdr or .png")))
 
 (define (extension-format path)
   (define name (path->bytes (if (path? path) path (string->path path))))
   (cond [(regexp-match? #rx#"[.][pP][pP][mM]$" name) 'ppm]
         [(regexp-match? #rx#"[.][pP][fF][mM]$" name) 'pfm]
+        [(regexp-match? #rx#"[.][hH][dD][rR]$" name) 'hdr]
         [(regexp-match? #rx#"[.][pP][nN][gG]$" name) 'png]
         [else #f]))
 

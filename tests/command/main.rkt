@@ -31,7 +31,7 @@
      (check-one-line-error (run-command folder "none.rkt")
                            "none.rkt: expected a scene" "found no such file")
      (check-one-line-error (run-command folder folder) "found a folder")
-     (refused "a.gif: expected a file name that ends with .ppm, .pfm or .png"
+     (refused "a.gif: expected a file name that ends with .ppm, .pfm, .hdr or .png"
               "good.rkt" "-o" "a.gif")
      (refused (format "none/a.ppm: cannot be written (there is no folder ~anone/)"
                       (path->directory-path folder))

@@ -15,8 +15,9 @@
      (define (in name) (build-path folder name))
 
      ;; the extension tells the format, in either case; reading goes by content
-     (for ([name (in-list '("a.ppm" "b.PPM" "c.pfm" "d.Pfm" "e.png" "f.PNG" "two.dots.ppm"))]
-           [start (in-list '(#"P6" #"P6" #"PF" #"PF" #"\211P" #"\211P" #"P6"))])
+     (for ([name (in-list '("a.ppm" "b.PPM" "c.pfm" "d.Pfm" "e.png" "f.PNG" "g.hdr" "h.HDR"
+                                "two.dots.ppm"))]
+           [start (in-list '(#"P6" #"P6" #"PF" #"PF" #"\211P" #"\211P" #"#?" #"#?" #"P6"))])
        (Image-write small-image (in name))
        (check-equal? (subbytes (file->bytes (in name)) 0 2) start name)
        (check-equal? (Image-read (in name)) small-image name))
@@ -60,9 +61,9 @@
        (define (check thunk) (apply check-one-line thunk parts))
        (check (lambda () (check-output-path path)))
        (check (lambda () (Image-write small-image path))))
-     (refused (in "a.jpg") "a.jpg" ".ppm, .pfm or .png")
-     (refused (in "ppm") ".ppm, .pfm or .png")
-     (refused (in "a.ppm.gz") ".ppm, .pfm or .png")
+     (refused (in "a.jpg") "a.jpg" ".ppm, .pfm, .hdr or .png")
+     (refused (in "ppm") ".ppm, .pfm, .hdr or .png")
+     (refused (in "a.ppm.gz") ".ppm, .pfm, .hdr or .png")
      (refused "" "name of a picture file")
      (refused (in "absent/a.ppm") "absent/a.ppm" "no folder")
      (refused (in "a.ppm/b.ppm") "a.ppm/b.ppm" "cannot be written")
@@ -112,7 +113,7 @@
      (define (unreadable bytes . parts)
        (apply check-one-line (lambda () (Image-read (write-file (in "unreadable.ppm") bytes))) parts))
      (unreadable #"" "unreadable.ppm: byte 0" "end of the file")
-     (unreadable #"GIF89a" "unreadable.ppm: byte 0" "PPM (P6, P3), PFM, PNG or JPEG" "GIF8")
+     (unreadable #"GIF89a" "unreadable.ppm: byte 0" "PPM (P6, P3), PFM, HDR, PNG or JPEG" "GIF8")
      (unreadable #"P" "byte 0")
      (unreadable #"P6\n" "byte 3" "width")
      (check-one-line (lambda () (Image-read (in "absent.ppm"))) "absent.ppm" "no such file")

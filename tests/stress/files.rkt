@@ -1,5 +1,6 @@
 #lang racket/base
-;; Mutated mesh files of every format: each loads or gives one line that names the file.
+;; Mutated mesh files of every format, and Radiance pictures: each loads or gives one line that names
+;; the file.
 
 (provide cases)
 
@@ -45,7 +46,8 @@
     (thread
      (lambda ()
        (set! result
-             (with-handlers ([exn:fail? values]) (Mesh-read path))))))
+             (with-handlers ([exn:fail? values])
+               (if (regexp-match? #rx"[.]hdr$" path) (Image-read path) (Mesh-read path)))))))
   (define ended? (sync/timeout SECONDS reading))
   (kill-thread reading)
   (cond
@@ -56,10 +58,12 @@
      'refused]
     [else (format "says ~s" (exn-message result))]))
 
-(define (sound? shape)
-  (if (Mesh? shape)
-      (for/and ([x (in-flvector (Mesh-positions shape))]) (< (abs x) +inf.0))
-      (andmap sound? (Group-shapes shape))))
+(define (sound? content)
+  (define (finite? numbers) (for/and ([x (in-flvector numbers)]) (< (abs x) +inf.0)))
+  (cond
+    [(Image? content) (finite? (Image-pixels content))]
+    [(Mesh? content) (finite? (Mesh-positions content))]
+    [else (andmap sound? (Group-shapes content))]))
 
 ;; `featured`: an OBJ file with materials; its material file is the one that is mutated in turn.
 (define featured
@@ -70,6 +74,14 @@
         (cons "mesh.mtl"
               (bytes-append #"newmtl red\nKd 1 0 0\nKs .5\nNs 10\nmap_Kd a.png\n"
                             #"newmtl blue\nd 0.5\nNi 1.5\nKe 1 2 3\nTr 0.5\nillum 2\n"))))
+
+;; Radiance lines of every kind: encoded channels, flat pixels, repeated ones.
+(define radiance
+  (bytes-append #"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=2.5\nCOLORCORR=1 .9 1.1\n\n"
+                #"-Y 3 +X 12\n"
+                (bytes 2 2 0 12 140 128  3 1 2 3 137 9  139 7 1 8  140 129)
+                (apply bytes (for/list ([k (in-range 48)]) (+ 5 (modulo (* 29 k) 247))))
+                (bytes 200 100 50 130 1 1 1 4 9 9 9 120 1 1 1 6)))
 
 ;; Mutates the file called `name` of the files; `mesh` is the one that is read.
 (define (mutations size files name mesh)
@@ -107,6 +119,7 @@
   (define-values (loaded refused wrong)
     (case kind
       [(obj-materials) (mutations size featured "mesh.obj" "mesh.obj")]
+      [(hdr) (mutations size (list (cons "mesh.hdr" radiance)) "mesh.hdr" "mesh.hdr")]
       [(mtl) (mutations size featured "mesh.mtl" "mesh.obj")]
       [else
        (define name (string-append "mesh." (substring (symbol->string kind) 0 3)))
@@ -116,5 +129,5 @@
           (and (null? wrong) (> refused 0) (> loaded 0))))
 
 (define cases
-  (for/list ([kind (in-list (append sphere-kinds '(obj-materials mtl)))])
+  (for/list ([kind (in-list (append sphere-kinds '(obj-materials mtl hdr)))])
     (stress-case (format "files ~a" kind) "0 but loaded or refused in one line" (files-case kind))))
