@@ -20,6 +20,7 @@
            "private/material/rough-conductor.rkt" "private/material/rough-dielectric.rkt"
            "private/light/light.rkt" "private/light/distant.rkt" "private/light/point.rkt"
            "private/light/spot.rkt" "private/light/environment.rkt"
+           "private/light/sun-and-sky.rkt"
            "private/world/ray.rkt" "private/world/camera.rkt" "private/world/camera-kernel.rkt"
            "private/world/projection.rkt" "private/world/background.rkt"
            "private/world/world.rkt" "private/integrate/query.rkt"
@@ -102,7 +103,7 @@
  SpotLight SpotLight? SpotLight-point SpotLight-direction SpotLight-intensity
  SpotLight-cone-angle SpotLight-falloff-angle
  GradientSky GradientSky? GradientSky-bottom GradientSky-top
- EnvironmentMap EnvironmentMap? EnvironmentMap-image EnvironmentMap-rotation EnvironmentMap-scale
+ daylight-sky daylight-sun EnvironmentMap EnvironmentMap? EnvironmentMap-image EnvironmentMap-rotation EnvironmentMap-scale
  Projection? Projection-perspective Projection-orthographic Projection-point Projection-unproject
  Projection-matrix-rows
  ;; worlds

@@ -36,7 +36,7 @@
   ;; ----------------------------------------------------------------------------------------------
   ;; All files, in processes of their own.
 
-  ;; The .rkt files at a path or below it that have tests; compiled ones, and and those
+  ;; The .rkt files at a path or below it that have tests; compiled ones, and those
   ;; that measure time, are left out.
   (define (test-files path)
     (cond
@@ -95,8 +95,9 @@
     (thread (lambda () (for ([item (in-list items)]) (channel-put next item))))
     (for/list ([item (in-list items)]) (channel-get results)))
 
-  ;; Compiles what the tests use, so that not every process does it again.
-  (define (compile-package)
+  ;; Compiles the tests and what they use, so that not every process does it again and none runs what
+  ;; was compiled before a change.
+  (define (compile-all tests)
     (define files
       (cons (build-path package-folder "main.rkt")
             (append-map (lambda (folder)
@@ -105,7 +106,7 @@
                         '("private" "scenes"))))
     (define-values (process out in err)
       (apply subprocess (current-output-port) #f (current-error-port)
-             (find-exe) "-N" "raco" "-l-" "raco" "make" files))
+             (find-exe) "-N" "raco" "-l-" "raco" "make" (append files tests)))
     (close-output-port in)
     (subprocess-wait process))
 
@@ -119,10 +120,10 @@
    (for ([path (in-list paths)])
      (unless (or (file-exists? path) (directory-exists? path))
        (raise-user-error (format "~a: expected a test file or a folder, found no such file" path))))
-   (compile-package)
    (define files
      (append-map test-files
                  (if (null? paths) (list tests-folder) (map path->complete-path paths))))
+   (compile-all files)
    (define counts (map-with-threads run-file files (processor-count)))
    (define failed (apply + (map cdr counts)))
    (printf "~a passed, ~a failed\n" (apply + (map car counts)) failed)

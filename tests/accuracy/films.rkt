@@ -15,7 +15,7 @@
                     (Vectorof Flonum)))
 (define (film-samples world camera width height error)
   (define job
-    (Job world camera (Tiling width height 16 (list 0 0 width height)) #f 0 'owen-sobol 'auto #f))
+    (Job world camera (Tiling width height 16 (list 0 0 width height)) #f 0 'owen-sobol 'box 'auto #f))
   (define film (make-flvector (Job-film-size job) 0.0))
   (define passes
     (make-passes film width (Job-tile-count job) (Goal MOST-SAMPLES error #f)))
