@@ -39,10 +39,12 @@
                          0.0)))))
 
 ;; Ends the way to the light short of it, by a length and a part of the way, across the light: the
-;; flatter the way meets it, the more.
+;; flatter the way meets it, the more. The shadow ray starts off the surface by the error of its point,
+;; so it meets the light so much sooner too.
 (define-syntax-rule (end-short! r absolute relative cosine)
   (let* ([distance (flvector-ref r light-distance)]
-         [shorter (fl- distance (fl/ (fl+ absolute (fl* relative distance)) cosine))])
+         [off (fl+ (flvector-ref r surface-error) absolute)]
+         [shorter (fl- distance (fl/ (fl+ off (fl* relative distance)) cosine))])
     (if (fl> shorter 0.0)
         (flvector-set! r light-distance shorter)
         (dark! r))))

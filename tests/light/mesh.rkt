@@ -105,8 +105,8 @@
                   (* (atan (Float3-length across) (Float3-dot a b))
                      (Float3-z (Float3-normalized across))))))))
     (for ([material (list shining both)])
-      (check-mean "icosahedron" (floor-radiances (moved-icosphere material) 64)
-                  (/ irradiance 2 pi) 0.02)))
+      (check-mean "icosahedron" (floor-radiances (moved-icosphere material) 64 512)
+                  (/ irradiance 2 pi) 0.005)))
 
   (test-case "a shining box is the quads of its faces; from within it is pi when two-sided"
     (define (sum-of-faces low high)
