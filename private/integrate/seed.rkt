@@ -4,21 +4,20 @@
 ;; surfaces multiply irradiance as they are, without the division by pi of the path integrator.
 (require "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/frame.rkt"
          "../sample/sampler.rkt" "../sample/warp.rkt"
-         "../material/material.rkt" "../material/phong.rkt" "../material/emitter.rkt"
+         "../material/material.rkt" "../material/phong.rkt"
          "../material/color.rkt" "../light/light.rkt"
-         "../world/scene.rkt" "../world/trace.rkt" "../world/gather.rkt" "../world/world.rkt")
+         "../world/scene.rkt" "../world/trace.rkt" "../world/gather.rkt" "../world/world.rkt"
+         "emission.rkt")
 
 (provide seed-integrator local-shading pack-materials ambient-visibility! face-viewer!
          put-ray-from-surface!)
 
 ;; What this integrator knows of a material, packed by number: colour, specularity, shininess,
-;; reflectivity, emitted radiance, and 1 where the emission is two-sided.
-(define-syntax-rule (STRIDE) 12)
+;; reflectivity.
+(define-syntax-rule (STRIDE) 8)
 (define-syntax-rule (specularity-place) 3)
 (define-syntax-rule (shininess-place) 4)
 (define-syntax-rule (reflectivity-place) 5)
-(define-syntax-rule (emission-place) 8)
-(define-syntax-rule (two-sided-place) 11)
 
 (: pack-materials (-> (Vectorof Material) FlVector))
 (define (pack-materials materials)
@@ -27,15 +26,10 @@
         [k : Nonnegative-Fixnum (in-range (vector-length materials))])
     (define at (fx* (STRIDE) k))
     (Float3-put! packed at (Material-color material))
-    (cond
-      [(Phong? material)
-       (flvector-set! packed (fx+ at (specularity-place)) (Phong-specularity material))
-       (flvector-set! packed (fx+ at (shininess-place)) (Phong-shininess material))
-       (Float3-put! packed (fx+ at (reflectivity-place)) (Phong-reflectivity material))]
-      [(Emitter? material)
-       (Float3-put! packed (fx+ at (emission-place)) (Emitter-radiance material))
-       (flvector-set! packed (fx+ at (two-sided-place))
-                      (if (Emitter-two-sided? material) 1.0 0.0))]))
+    (when (Phong? material)
+      (flvector-set! packed (fx+ at (specularity-place)) (Phong-specularity material))
+      (flvector-set! packed (fx+ at (shininess-place)) (Phong-shininess material))
+      (Float3-put! packed (fx+ at (reflectivity-place)) (Phong-reflectivity material))))
   packed)
 
 ;; seed-integrator : a procedure that takes the ray in the scratch and leaves its colour in
@@ -43,6 +37,7 @@
 (: seed-integrator (-> Scene Shading (-> FlVector FxVector Void)))
 (define (seed-integrator scene shading)
   (define packed (pack-materials (Scene-materials scene)))
+  (define add-emission! (emission-kernel scene))
   (define background (Scene-background scene))
   (define mirror-bounces (Shading-mirror-bounces shading))
   (define shade-locally! (local-shading scene shading packed))
@@ -54,7 +49,9 @@
       (cond
         [(Scene-nearest! scene r i)
          (Scene-surface! scene r i)
-         (add-emission! packed r i)
+         (when add-emission!
+           (flvector-set! r light-density 1.0)
+           (add-emission! r i))
          (face-viewer! r)
          (shade-locally! r i)
          (when (and (reflects? packed r i) (fx< bounces mirror-bounces))
@@ -68,18 +65,6 @@
                                                           (Float3-in r surface-color))))]))))
 
 (define-syntax-rule (material-place i) (fx* (STRIDE) (fxvector-ref i hit-material)))
-
-;; Light the surface itself gives off towards the viewer.
-(define-syntax-rule (add-emission! packed r i)
-  (let ([at (material-place i)])
-    (let-float3 ([n (Float3-in r surface-normal)] [d (Float3-in r ray-direction)])
-      (when (or (fl< (Float3-dot n d) 0.0)
-                (fl= (flvector-ref packed (fx+ at (two-sided-place))) 1.0))
-        (Float3-put! r radiance
-                     (Float3-add (Float3-in r radiance)
-                                 (Float3-scale-by-vector
-                                  (Float3-in r throughput)
-                                  (Float3-in packed (fx+ at (emission-place))))))))))
 
 ;; Turns the normals to the side the ray came from, so that both sides of a surface are shaded.
 (define-syntax-rule (face-viewer! r)

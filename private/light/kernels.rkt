@@ -1,7 +1,7 @@
 #lang typed/racket/base
 ;; The kernel of any light and of any shape that shines: the one place that lists them all.
 (require "../shape/shape.rkt" "../shape/sphere.rkt" "../shape/kernels.rkt"
-         "../material/emitter.rkt" "../base/check.rkt"
+         "../base/float3.rkt" "../material/emitter.rkt" "../base/check.rkt"
          "../shape/quad.rkt" "../shape/disk.rkt" "../shape/triangle.rkt" "../shape/box.rkt"
          "../shape/mesh.rkt"
          "light.rkt" "distant.rkt" "point.rkt" "spot.rkt" "sphere.rkt" "quad.rkt" "planar.rkt"
@@ -18,12 +18,12 @@
     [else (raise-expected 'World "lights" "lights of this library" light)]))
 
 ;; The light that a shape with an emitting material is; #f where it does not shine, or has no way to
-;; be sampled and only scattered rays find it. primitive: its index in the world.
+;; be sampled and only scattered rays find it, as one with a texture. primitive: its index in the world.
 (: Shape-light-kernel (-> Shape Fixnum (U #f LightKernel)))
 (define (Shape-light-kernel shape primitive)
   (define emitter (Shape-material shape))
   (cond
-    [(not (Emitter? emitter)) #f]
+    [(not (and (Emitter? emitter) (Float3? (Emitter-radiance emitter)))) #f]
     [(Sphere? shape) (Sphere-light-kernel shape emitter primitive)]
     [(Quad? shape) (Quad-light-kernel shape emitter primitive)]
     [(Disk? shape) (Disk-light-kernel shape emitter primitive)]

@@ -13,7 +13,7 @@
 (define (Sphere-light-kernel sphere emitter primitive)
   (define center (Sphere-point sphere))
   (define radius (Sphere-radius sphere))
-  (define radiance (Emitter-radiance emitter))
+  (define radiance (Emitter-constant-radiance emitter))
   (define two-sided? (Emitter-two-sided? emitter))
   (define-syntax-rule (cone-height squared)
     (let ([sine-squared (flmin 1.0 (fl/ (fl* radius radius) squared))])
