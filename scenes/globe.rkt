@@ -28,7 +28,7 @@
   (define cold (+ (abs (Float3-y point)) (* 0.12 (perlin-noise (Float3-scale-by-scalar point 7) 4))))
   (if (> cold 0.9) (Float3 0.9 0.92 0.95) (ramp-color height)))
 
-(define globe (Sphere (Float3 0 0 0) 1 #:material (Plastic (FunctionTexture land) 1.2)))
+(define globe (Sphere (Float3 0 0 0) 1 #:material (Lambertian (FunctionTexture land))))
 
 ;; The Earth's axis leans by 23.4 degrees, and its texture with it.
 (define world

@@ -5,6 +5,7 @@
 (require "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/frame.rkt"
          "../sample/sampler.rkt" "../sample/warp.rkt"
          "../material/material.rkt" "../material/phong.rkt"
+         "../material/texture/texture.rkt" "../material/texture/kernels.rkt"
          "../material/color.rkt" "../light/light.rkt"
          "../world/scene.rkt" "../world/trace.rkt" "../world/gather.rkt" "../world/world.rkt"
          "emission.rkt")
@@ -38,6 +39,7 @@
 (define (seed-integrator scene shading)
   (define packed (pack-materials (Scene-materials scene)))
   (define add-emission! (emission-kernel scene))
+  (define put-color! (color-kernel scene packed))
   (define background (Scene-background scene))
   (define mirror-bounces (Shading-mirror-bounces shading))
   (define shade-locally! (local-shading scene shading packed))
@@ -52,6 +54,7 @@
          (when add-emission!
            (flvector-set! r light-density 1.0)
            (add-emission! r i))
+         (put-color! r i)
          (face-viewer! r)
          (shade-locally! r i)
          (when (and (reflects? packed r i) (fx< bounces mirror-bounces))
@@ -97,8 +100,25 @@
                                     (flvector-ref r surface-error)
                                     (Float3-in r surface-normal))))
 
-;; A procedure that adds to `radiance`, times throughput, what the surface in the scratch sends
-;; towards out-direction without its mirror's share.
+;; A procedure that leaves the colour of the surface in the scratch, its normals still pointing
+;; outside, in surface-color.
+(: color-kernel (-> Scene FlVector (-> FlVector FxVector Void)))
+(define (color-kernel scene packed)
+  (define textures : (Vectorof (U #f TextureKernel))
+    (for/vector : (Vectorof (U #f TextureKernel)) ([material (in-vector (Scene-materials scene))])
+      (and (Phong? material)
+           (Texture? (Phong-color material))
+           (radiance-kernel (Phong-color material)))))
+  (lambda ([r : FlVector] [i : FxVector])
+    (define texture! (vector-ref textures (fxvector-ref i hit-material)))
+    (cond
+      [texture!
+       (Scene-uv! scene r i)
+       (texture! r i)]
+      [else (Float3-put! r surface-color (Float3-in packed (material-place i)))])))
+
+;; A procedure that adds to `radiance`, times throughput, what the surface in the scratch, of colour
+;; surface-color, sends towards out-direction without its mirror's share.
 (: local-shading (-> Scene Shading FlVector (-> FlVector FxVector Void)))
 (define (local-shading scene shading packed)
   (define lights (Scene-lights scene))
@@ -123,7 +143,7 @@
                       (flvector-ref r ambient-percent)
                       (Float3-scale-by-vector
                        (Float3-in r bsdf-weight)
-                       (Float3-scale-by-vector (Float3-in packed at) ambient-color)))))
+                       (Float3-scale-by-vector (Float3-in r surface-color) ambient-color)))))
       (put-ray-from-surface! r)
       (let each-light ([k : Fixnum 0])
         (when (fx< k (vector-length lights))
@@ -182,7 +202,7 @@
                     (Float3-in r radiance)
                     (Float3-scale-by-vector
                      light
-                     (Float3-add (Float3-scale-by-scalar (Float3-in packed at) cosine)
+                     (Float3-add (Float3-scale-by-scalar (Float3-in r surface-color) cosine)
                                  (Float3 highlight highlight highlight))))))))
 
 ;; The article's percentage of ambient light at the surface in the scratch, into ambient-percent:

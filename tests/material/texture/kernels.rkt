@@ -28,6 +28,15 @@
               (Emitter (Float3 0.1 0.1 0.1) #:surface (Lambertian color))))
       (check-equal? (apply picture-of (materials texture)) (apply picture-of (materials plain)))))
 
+  (test-case "the article's surface, by its shading: the picture of the colour where a texture shows it"
+    (define (picture . colors)
+      (define world
+        (World (for/list ([color colors] [k (in-naturals)])
+                 (Sphere (Float3 (- (* 2 k) 1) 0.5 0) 1 #:material (Phong color #:reflectivity 0.2)))
+               (list (DistantLight (Float3 1 2 1) white)) white))
+      (Image-pixels (render world camera #:width 16 #:height 9 #:samples 4)))
+    (check-equal? (picture (Checker red red 3) (CheckerUV green green)) (picture red green)))
+
   (test-case "a mix whose weight is a texture of one grey, nested ones too, to 1e-12"
     (define (grey x) (Checker (Float3 x x x) (Float3 x x x)))
     (define a (Lambertian (CheckerUV red green)))
