@@ -34,8 +34,9 @@
   ;; its surface: point, outward unit geometric normal, shading normal, texture coordinates, and
   ;; a bound on the absolute error of the point
   [surface-point 3] [surface-normal 3] [surface-shading-normal 3] [surface-uv 2] [surface-error 1]
-  ;; the material there: base colour, and roughness or another scalar a texture drives
-  [surface-color 3] [surface-roughness 1]
+  ;; what textures are asked with and what they leave: the point in the space the shape was made
+  ;; in; the colour there, a scalar that comes with it, and the weights of a mixture's parts
+  [texture-point 3] [surface-color 3] [surface-roughness 1] [mix-weights 8]
   ;; scattering: direction back along the ray, direction onward, weight or value, its density
   [out-direction 3] [in-direction 3] [bsdf-weight 3] [bsdf-density 1]
   ;; light sampling: direction, distance, radiance over density, density per solid angle

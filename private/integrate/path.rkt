@@ -6,9 +6,9 @@
 (require racket/promise "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt"
          "../sample/sampler.rkt"
          "../material/material.rkt" "../material/kernel.rkt"
-         "../material/emitter.rkt" "../light/light.rkt" "../light/choice.rkt"
+         "../light/light.rkt" "../light/choice.rkt"
          "../world/scene.rkt" "../world/trace.rkt"
-         "seed.rkt")
+         "emission.rkt")
 
 (provide path-integrator PathLimits (struct-out PathLimits))
 
@@ -30,13 +30,11 @@
 (: path-integrator (-> Scene PathLimits (-> FlVector FxVector Void)))
 (define (path-integrator scene limits)
   (define kernels (force (Scene-material-kernels scene)))
-  (define emission (pack-emission (Scene-materials scene)))
+  (define add-emission! (emission-kernel scene))
   (define background (Scene-background scene))
   (define lights (Scene-lights scene))
   (define background-light (Scene-background-light scene))
   (define lights? (> (vector-length lights) 0))
-  (define shines? (for/or : Boolean ([material (in-vector (Scene-materials scene))])
-                    (Emitter? material)))
   (define max-depth (or (PathLimits-max-depth limits) (fixnum-literal #xFFFFFFFF)))
   (lambda ([r : FlVector] [i : FxVector])
     (Float3-put! r radiance (Float3 0.0 0.0 0.0))
@@ -47,13 +45,17 @@
       (flvector-set! r ray-limit +inf.0)
       (cond
         [(Scene-nearest! scene r i)
-         (when shines? (put-emission-weight! scene lights transmitting? r i))
+         (when add-emission! (put-emission-weight! scene lights transmitting? r i))
          (Scene-surface! scene r i)
-         (when shines? (add-emission! emission r i))
+         (when add-emission! (add-emission! r i))
          (when (fx< depth max-depth)
            (let ([kernel (vector-ref kernels (fxvector-ref i hit-material))])
              (fxvector-set! i sampler-dimension
                             (fx+ (FIRST-DIMENSION) (fx* depth (DIMENSIONS-A-VERTEX))))
+             (let ([prepare (MaterialKernel-prepare kernel)])
+               (when prepare
+                 (Scene-uv! scene r i)
+                 (prepare r i)))
              (face-ray! r i)
              (when (and lights? (not (MaterialKernel-specular? kernel)))
                (add-direct-light! scene lights kernel r i))
@@ -70,17 +72,6 @@
                                            (flvector-ref r light-density)
                                            (Float3-scale-by-vector (Float3-in r throughput)
                                                                    (Float3-in r surface-color))))]))))
-
-;; Radiance and, in the fourth place, 1 where the emission is two-sided; by material.
-(: pack-emission (-> (Vectorof Material) FlVector))
-(define (pack-emission materials)
-  (define packed (make-flvector (fx* 4 (vector-length materials)) 0.0))
-  (for ([k (in-range (vector-length materials))])
-    (define material (vector-ref materials k))
-    (when (Emitter? material)
-      (Float3-put! packed (fx* 4 k) (Emitter-radiance material))
-      (flvector-set! packed (fx+ 3 (fx* 4 k)) (if (Emitter-two-sided? material) 1.0 0.0))))
-  packed)
 
 ;; The power heuristic with exponent 2: the weight of a sample of density `own`.
 (define-syntax-rule (power-heuristic own other)
@@ -110,18 +101,6 @@
      (let ([own (flvector-ref r previous-density)]
            [other (fl* (flvector-ref r light-density) (flvector-ref r (light-probability)))])
        (flvector-set! r light-density (power-heuristic own other)))]))
-
-(: add-emission! (-> FlVector FlVector FxVector Void))
-(define (add-emission! emission r i)
-  (define at (fx* 4 (fxvector-ref i hit-material)))
-  (let-float3 ([n (Float3-in r surface-normal)] [d (Float3-in r ray-direction)])
-    (when (or (fl< (Float3-dot n d) 0.0) (fl= (flvector-ref emission (fx+ at 3)) 1.0))
-      (Float3-put! r radiance
-                   (Float3-multiply-add
-                    (Float3-in r radiance)
-                    (flvector-ref r light-density)
-                    (Float3-scale-by-vector (Float3-in r throughput)
-                                            (Float3-in emission at)))))))
 
 ;; Turns the normals to the side the ray came from, and notes whether that is the inside.
 (define-syntax-rule (face-ray! r i)

@@ -11,7 +11,7 @@
   (define low (Box-low box))
   (define high (Box-high box))
   (define extent (Float3-subtract high low))
-  (define radiance (Emitter-radiance emitter))
+  (define radiance (Emitter-constant-radiance emitter))
   (define two-sided? (Emitter-two-sided? emitter))
   (define area-x (fl* (Float3-y extent) (Float3-z extent)))
   (define area-y (fl* (Float3-z extent) (Float3-x extent)))

@@ -28,7 +28,9 @@
     (flvector-set! r bsdf-density 0.0)))
 
 ;; The kernel of a material all of whose samples are specular.
-(: specular-kernel (->* ((-> FlVector FxVector Void)) (#:transmits? Boolean) MaterialKernel))
-(define (specular-kernel sample #:transmits? [transmits? #f])
+(: specular-kernel (->* ((-> FlVector FxVector Void))
+                        (#:transmits? Boolean #:prepare (U #f (-> FlVector FxVector Void)))
+                        MaterialKernel))
+(define (specular-kernel sample #:transmits? [transmits? #f] #:prepare [prepare #f])
   (MaterialKernel sample (lambda ([r : FlVector] [i : FxVector]) (put-nothing! r))
-                  #t transmits? #f))
+                  #t transmits? prepare))
