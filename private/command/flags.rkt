@@ -60,7 +60,7 @@
                     "name")]
      [("--integrator") ,(name-flag 'integrator)
                        (("What a pixel shows:"
-                         "auto, path, seed, ambient-occlusion, normals or depth")
+                         "auto, path, naive-path, seed, ambient-occlusion, normals or depth")
                         "name")]
      [("--max-depth") ,(count-flag 'max-depth check-max-depth)
                       ("Bounces of a path; by default the scene's, else without limit" "n")]

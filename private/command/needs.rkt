@@ -3,7 +3,8 @@
 (require racket/fixnum
          (only-in "../base/float3.rkt" make-Float3)
          "../world/world.rkt" "../world/scene.rkt" "../world/camera.rkt" "../material/kernel.rkt"
-         "../material/kernels.rkt" "../material/emitter.rkt" "../material/phong.rkt")
+         "../material/kernels.rkt" "../material/emitter.rkt" "../material/interior.rkt"
+         "../material/phong.rkt")
 
 (provide scene-needs)
 
@@ -14,6 +15,7 @@
   (define article?
     (or (eq? integrator 'seed)
         (and (eq? integrator 'auto)
+             (not (World-medium world))
              (andmap (lambda (m) (or (Phong? m) (Emitter? m))) materials))))
   (append
    (list (cons "hierarchy" (hierarchy-text scene))
@@ -21,7 +23,11 @@
          (cons "lens" (if (zero? (Camera-lens-radius camera)) "skipped: a pinhole" "needed")))
    (if article?
        (article-needs (World-shading world))
-       (path-needs scene (filter (lambda (m) (not (Emitter? m))) materials)))))
+       (append
+        (path-needs scene (filter (lambda (m) (not (Emitter? m))) materials))
+        (list (cons "media" (if (or (World-medium world) (ormap Interior? materials))
+                                "needed"
+                                "skipped: nothing but surfaces")))))))
 
 (define (hierarchy-text scene)
   (define bounded (fxvector-length (Scene-order scene)))

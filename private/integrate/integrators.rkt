@@ -1,6 +1,6 @@
 #lang typed/racket/base
 ;; Integrators by name: what a ray's colour means.
-(require "../base/check.rkt" "../world/world.rkt"
+(require "../base/unsafe.rkt" "../base/check.rkt" "../light/light.rkt" "../world/world.rkt"
          "../material/material.rkt" "../material/phong.rkt" "../material/emitter.rkt"
          "../world/scene.rkt" "seed.rkt" "path.rkt" "views.rkt")
 
@@ -9,7 +9,7 @@
 ;; Takes the ray in a worker's scratch and leaves its colour in `radiance`.
 (define-type Integrator (-> FlVector FxVector Void))
 
-(define INTEGRATORS : (Listof Symbol) '(auto path seed ambient-occlusion normals depth))
+(define INTEGRATORS : (Listof Symbol) '(auto path naive-path seed ambient-occlusion normals depth))
 
 ;; Raises where there is no integrator of that name.
 (: check-integrator (-> Symbol Void))
@@ -17,8 +17,18 @@
   (unless (memq name INTEGRATORS)
     (raise-expected 'render "integrator" (format "one of ~a" INTEGRATORS) name)))
 
+;; The scene with nothing that shines sampled: paths find it by chance, or not at all where it has no
+;; area.
+(: without-lights (-> Scene Scene))
+(define (without-lights scene)
+  (struct-copy Scene scene
+               [lights (ann (vector) (Vectorof LightKernel))]
+               [primitive-lights (make-fxvector (fxvector-length (Scene-primitive-lights scene)) -1)]
+               [background-light -1]))
+
 ;; The named integrator for a world. 'auto is the article's shading where every surface is the
-;; article's and nothing fills the world, else the path integrator. max-depth: bounces of a path, #f for no limit.
+;; article's and nothing fills the world, else the path integrator. 'naive-path is the estimator of
+;; the three books, for comparison. max-depth: bounces of a path, #f for no limit.
 (: World-integrator (->* (World Symbol) ((U #f Fixnum)) Integrator))
 (define (World-integrator world name [max-depth #f])
   (define scene (World-scene world))
@@ -32,6 +42,8 @@
                 (path))]
     [(seed) (seed-integrator scene shading)]
     [(path) (path)]
+    [(naive-path)
+     (path-integrator (without-lights scene) (PathLimits max-depth) (World-medium world))]
     [(ambient-occlusion) (ambient-occlusion-view scene shading)]
     [(normals) (normals-view scene)]
     [(depth) (depth-view scene)]

@@ -26,21 +26,26 @@
        (let ([phase (scattering-kernel media)])
          (PathMedia media phase (lit-segment-kernel media scene phase pivots) pivots))))
 
-;; By light: the middle of its box and half the diagonal, -1 for a light without a box.
-(define-syntax-rule (PIVOT-PLACES) 4)
-(define-syntax-rule (pivot-radius pivots light) (flvector-ref pivots (fx+ 3 (fx* (PIVOT-PLACES) light))))
+;; By light: the middle of its box, half the diagonal (-1 for a light without a box), and what it sends
+;; in any direction at most.
+(define-syntax-rule (PIVOT-PLACES) 5)
+(define-syntax-rule (pivot-radius pivots light)
+  (flvector-ref pivots (fx+ 3 (fx* (PIVOT-PLACES) light))))
+(define-syntax-rule (pivot-intensity pivots light)
+  (flvector-ref pivots (fx+ 4 (fx* (PIVOT-PLACES) light))))
 
 (: light-pivots (-> (Vectorof LightKernel) FlVector))
 (define (light-pivots lights)
-  (define pivots (make-flvector (* 4 (vector-length lights)) -1.0))
+  (define pivots (make-flvector (* 5 (vector-length lights)) -1.0))
   (for ([light (in-vector lights)] [k : Nonnegative-Fixnum (in-range (vector-length lights))])
-    (define box (LightBound-box (LightKernel-bound light)))
+    (define bound (LightKernel-bound light))
+    (define box (LightBound-box bound))
     (when box
       (let-float3 ([low (Float3-in box 0)] [high (Float3-in box 3)])
-        (Float3-put! pivots (fx* 4 k)
-                     (Float3-scale-by-scalar (Float3-add low high) 0.5))
-        (flvector-set! pivots (fx+ 3 (fx* 4 k))
-                       (fl* 0.5 (Float3-length (Float3-subtract high low)))))))
+        (Float3-put! pivots (fx* 5 k) (Float3-scale-by-scalar (Float3-add low high) 0.5))
+        (flvector-set! pivots (fx+ 3 (fx* 5 k))
+                       (fl* 0.5 (Float3-length (Float3-subtract high low))))
+        (flvector-set! pivots (fx+ 4 (fx* 5 k)) (LightBound-intensity bound)))))
   pivots)
 
 ;; Binds where the segment at `at` passes the pivot, how far from it, and the angles at which its
@@ -52,11 +57,37 @@
     (let* ([nearest (Float3-dot to-pivot d)]
            [radius (pivot-radius pivots light)]
            [aside (Float3-length (Float3-cross to-pivot d))]
-           [distance (flmax aside (flmax radius (fl* 1e-7 (Float3-length to-pivot))))]
+           [distance (flmax aside (flmax radius (fl+ 1e-150 (fl* 1e-7 (Float3-length to-pivot)))))]
            [length (flvector-ref r (fx+ at 6))]
            [first (flatan (fl/ (fl* -1.0 nearest) distance))]
            [last (flatan (fl/ (fl- length nearest) distance))])
       body ...)))
+
+;; Up to so many lights are all weighed by what they may send into the whole segment, wherever they
+;; shine; more are chosen among as for its middle.
+(define-syntax-rule (MOST-WEIGHED) 16)
+
+(define-syntax-rule (light-weight at pivots light r)
+  (if (fl< (pivot-radius pivots light) 0.0)
+      0.0
+      (let-angles (nearest distance first last) (r at pivots light)
+        (fl/ (fl* (pivot-intensity pivots light) (fl- last first)) distance))))
+
+(define-syntax-rule (weigh-lights at pivots count r)
+  (let add : Flonum ([k : Fixnum 0] [total : Flonum 0.0])
+    (if (fx< k count)
+        (add (fx+ k 1) (fl+ total (light-weight at pivots k r)))
+        total)))
+
+;; The segment's middle into surface-point; its origin if it has no end.
+(define-syntax-rule (put-middle! at r)
+  (let* ([length (flvector-ref r (fx+ at 6))]
+         [half (if (fl< length +inf.0) (fl* 0.5 length) 0.0)])
+    (Float3-put! r surface-point
+                 (Float3-multiply-add (Float3-in r at) half (Float3-in r (fx+ at 3))))))
+
+;; A part of a whole, 0 of nothing.
+(define-syntax-rule (share part whole0) (let ([whole whole0]) (if (fl> whole 0.0) (fl/ part whole) 0.0)))
 
 ;; put-distance-ratio! : the density with which the other way would have chosen that light and the
 ;; distance of the last vertex, over the density of the distance as it was chosen, into
@@ -73,29 +104,50 @@
                        (if (fl> turn 0.0)
                            (fl/ distance (fl* turn (flvector-ref r (fx+ last-segment 7))))
                            0.0))))
-    (times-choice! scene light r)))
+    (times-choice! scene pivots light r)))
 
 ;; Times the probability that the light is chosen for the segment; surface-point and
 ;; light-probability stay.
-(: times-choice! (-> Scene Fixnum FlVector Void))
-(define (times-choice! scene light r)
-  (define lights (Scene-lights scene))
-  (unless (eqv? 1 (vector-length lights))
-    (Float3-put! r (fx+ workspace 16) (Float3-in r surface-point))
-    (flvector-set! r (fx+ workspace 19) (flvector-ref r (light-probability)))
-    (put-middle! last-segment r)
-    (put-light-probability! (Scene-light-choice scene) light #t r)
-    (flvector-set! r distance-ratio
-                   (fl* (flvector-ref r distance-ratio) (flvector-ref r (light-probability))))
-    (Float3-put! r surface-point (Float3-in r (fx+ workspace 16)))
-    (flvector-set! r (light-probability) (flvector-ref r (fx+ workspace 19)))))
+(: times-choice! (-> Scene FlVector Fixnum FlVector Void))
+(define (times-choice! scene pivots light r)
+  (define count (vector-length (Scene-lights scene)))
+  (cond
+    [(eqv? 1 count) (void)]
+    [(fx<= count (MOST-WEIGHED))
+     (let* ([total (weigh-lights last-segment pivots count r)]
+            [own (light-weight last-segment pivots light r)])
+       (flvector-set! r distance-ratio
+                      (fl* (flvector-ref r distance-ratio) (share own total))))]
+    [else
+     (Float3-put! r (fx+ workspace 16) (Float3-in r surface-point))
+     (flvector-set! r (fx+ workspace 19) (flvector-ref r (light-probability)))
+     (put-middle! last-segment r)
+     (put-light-probability! (Scene-light-choice scene) light #t r)
+     (flvector-set! r distance-ratio
+                    (fl* (flvector-ref r distance-ratio) (flvector-ref r (light-probability))))
+     (Float3-put! r surface-point (Float3-in r (fx+ workspace 16)))
+     (flvector-set! r (light-probability) (flvector-ref r (fx+ workspace 19)))]))
 
-;; The segment's middle into surface-point; its origin if it has no end.
-(define-syntax-rule (put-middle! at r)
-  (let* ([length (flvector-ref r (fx+ at 6))]
-         [half (if (fl< length +inf.0) (fl* 0.5 length) 0.0)])
-    (Float3-put! r surface-point
-                 (Float3-multiply-add (Float3-in r at) half (Float3-in r (fx+ at 3))))))
+;; The light for the segment in the scratch, by the number in sample-u; its probability into
+;; light-probability.
+(: choose-for-segment! (-> Scene FlVector FlVector Fixnum))
+(define (choose-for-segment! scene pivots r)
+  (define count (vector-length (Scene-lights scene)))
+  (flvector-set! r (light-probability) 1.0)
+  (cond
+    [(eqv? 1 count) 0]
+    [(fx<= count (MOST-WEIGHED))
+     (let* ([total (weigh-lights segment-origin pivots count r)])
+       (let find ([k : Fixnum 0] [left : Flonum (fl* total (flvector-ref r sample-u))])
+         (let ([own (light-weight segment-origin pivots k r)])
+           (cond
+             [(or (fl< left own) (fx= k (fx- count 1)))
+              (flvector-set! r (light-probability) (share own total))
+              k]
+             [else (find (fx+ k 1) (fl- left own))]))))]
+    [else
+     (put-middle! segment-origin r)
+     (choose-light! (Scene-light-choice scene) #t r)]))
 
 ;; After a vertex on a surface there is no other way.
 (define-syntax-rule (forget-segment! r) (flvector-set! r (fx+ last-segment 7) 0.0))
@@ -141,9 +193,7 @@
   (define (add-lit! r i)
     (keep-segment! r i)
     (sample-next-pair! r i)
-    (put-middle! segment-origin r)
-    (flvector-set! r (light-probability) 1.0)
-    (define light (if (eqv? count 1) 0 (choose-light! choice #t r)))
+    (define light (choose-for-segment! scene pivots r))
     (sample-next-pair! r i)
     (when (fl>= (pivot-radius pivots light) 0.0)
       (choose-point! light r)
@@ -214,5 +264,5 @@
       (put-attenuation! r light-radiance (flvector-ref r segment-t))))
 
   (and (for/or : Boolean ([k (in-range count)])
-         (fl>= (flvector-ref pivots (fx+ 3 (fx* 4 k))) 0.0))
+         (fl>= (pivot-radius pivots k) 0.0))
        add-lit!))

@@ -7,15 +7,15 @@
 (define red (Lambertian (Float3 0.65 0.05 0.05)))
 (define white (Lambertian (Float3 0.73 0.73 0.73)))
 (define green (Lambertian (Float3 0.12 0.45 0.15)))
-(define light (Emitter (Float3 15 15 15)))
+(define lamp
+  (Quad (Float3 213 554 227) (Float3 130 0 0) (Float3 0 0 105) (Emitter (Float3 15 15 15))))
 
 (define room
   (list (Quad (Float3 555 0 0) (Float3 0 0 555) (Float3 0 555 0) green)
         (Quad (Float3 0 0 555) (Float3 0 0 -555) (Float3 0 555 0) red)
         (Quad (Float3 0 555 0) (Float3 555 0 0) (Float3 0 0 555) white)
         (Quad (Float3 0 0 555) (Float3 555 0 0) (Float3 0 0 -555) white)
-        (Quad (Float3 555 0 555) (Float3 -555 0 0) (Float3 0 555 0) white)
-        (Quad (Float3 213 554 227) (Float3 130 0 0) (Float3 0 0 105) light)))
+        (Quad (Float3 555 0 555) (Float3 -555 0 0) (Float3 0 555 0) white)))
 
 ;; The six sides of the box from the origin to (165, height, 165), turned about the y axis and then
 ;; moved to (x, 0, z).
@@ -36,7 +36,9 @@
 
 (define (tall-block material) (block 330 15 265 295 material))
 
-(define (cornell-world things) (World (append room things) '() (Float3 0 0 0)))
+;; The room with its lamp, or another light, and what stands in it.
+(define (cornell-world things #:light [light lamp])
+  (World (append room (list light) things) '() (Float3 0 0 0)))
 
 (define camera
   (Camera-look-at (Float3 278 278 -800) (Float3 278 278 0)
