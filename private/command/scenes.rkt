@@ -35,9 +35,7 @@
     [(and path (file-exists? path)) (simplify-path path)]
     [else
      (raise-user-error
-      (format (string-append "~a: expected a scene (a .rkt, .obj, .ply or .stl file, or one of the "
-                             "package's:~a), found ~a")
+      (format (string-append "~a: expected a scene (a .rkt, .obj, .ply or .stl file, or a name that "
+                             "raco raytrace list shows), found ~a")
               word
-              (apply string-append (map (lambda (scene) (string-append " " (scene-name scene)))
-                                        (package-scenes)))
               (if (and path (directory-exists? path)) "a folder" "no such file")))]))
