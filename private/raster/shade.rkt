@@ -240,12 +240,24 @@
                   [packed (in-value (Piece-light piece material))]
                   #:when packed)
       packed))
+  (define background (World-background world))
+  (define background! (Background-kernel background))
+  (define room (if article? BLACK (interreflection pieces looks area-lights)))
   (define ambient
     (if article?
         (Shading-ambient-color (World-shading world))
-        (Float3-add (Background-color (World-background world))
-                    (interreflection pieces looks area-lights))))
-  (define background! (Background-kernel (World-background world)))
+        (Float3-add (Background-color background) room)))
+  ;; what a gradient adds to the ambient light of a surface that looks up: two thirds of half the
+  ;; difference between its ends (its irradiance over pi)
+  (define ambient-slope
+    (if (and (GradientSky? background) (not article?))
+        (Float3-scale-by-scalar (Float3-subtract (GradientSky-top background)
+                                                 (GradientSky-bottom background))
+                                (fl/ 1.0 3.0))
+        BLACK))
+  ;; where ambient light is all there is, part of it comes from the viewer, to show forms
+  (define headlight
+    (if (and (= 0 (vector-length kernels)) (= 0 (vector-length area-lights))) 0.6 0.0))
   (lambda ([r : FlVector] [i : FxVector])
     (define at (fx* (STRIDE) (fxvector-ref i hit-material)))
     (Float3-put! r bsdf-weight (Float3 0.0 0.0 0.0)) ; irradiance times cosines
@@ -268,37 +280,39 @@
         (let* ([cosine (flabs (Float3-dot n view))]
                [fresnel (if (fl>= coat 0.0) (fl+ coat (fl* (fl- 1.0 coat) (fifth (fl- 1.0 cosine))))
                             0.0)]
-               [ink (if (and toon? (fl< cosine 0.22)) 0.0 1.0)])
+               [around (fl+ (fl- 1.0 headlight) (fl* headlight cosine))])
           (let-float3 ([body (Float3-scale-by-vector
                               (Float3-scale-by-scalar (Float3-in looks at) (fl- 1.0 fresnel))
-                              (Float3-multiply-add ambient share (Float3-in r bsdf-weight)))]
+                              (Float3-multiply-add
+                               (Float3-scale-by-scalar
+                                (Float3-multiply-add ambient (Float3-y n) ambient-slope) around)
+                               share (Float3-in r bsdf-weight)))]
                        [highlight (Float3-scale-by-vector (Float3-in looks (fx+ at (highlight-place)))
                                                           (Float3-in r throughput))]
                        [emission (Float3-scale-by-scalar (Float3-in looks (fx+ at (emission-place)))
                                                          (if front? 1.0 0.0))])
             (Float3-put! r radiance
-                         (Float3-add emission
-                                     (Float3-scale-by-scalar (Float3-add body highlight) ink)))
+                         (Float3-add emission (Float3-add body highlight)))
             (let-float3 ([mirror (Float3-add (Float3-in looks (fx+ at (mirror-place)))
                                              (Float3 fresnel fresnel fresnel))])
-              (Float3-put! r light-radiance (Float3-scale-by-scalar mirror ink)))
+              (Float3-put! r light-radiance mirror))
             (flvector-set! r light-density
-                           (fl* ink (fl* (fl- 1.0 fresnel)
-                                         (flvector-ref looks (fx+ at (clear-place))))))))))
+                           (fl* (fl- 1.0 fresnel) (flvector-ref looks (fx+ at (clear-place)))))))))
     (when (fl> (Float3-largest-component (Float3-in r light-radiance)) 0.0)
       (let-float3 ([view (Float3-in r out-direction)])
         (Float3-put! r ray-direction (Float3-reflect view (Float3-in r surface-shading-normal))))
       (background! r i)
       (Float3-put! r radiance
                    (Float3-add (Float3-in r radiance)
-                               (Float3-scale-by-vector (Float3-in r light-radiance)
-                                                       (Float3-in r surface-color)))))
+                               (Float3-scale-by-vector
+                                (Float3-in r light-radiance)
+                                (Float3-add room (Float3-in r surface-color))))))
     (when (fl> (flvector-ref r light-density) 0.0)
       (Float3-put! r ray-direction (Float3-negate (Float3-in r out-direction)))
       (background! r i)
       (Float3-put! r radiance
                    (Float3-multiply-add (Float3-in r radiance) (flvector-ref r light-density)
-                                        (Float3-in r surface-color))))))
+                                        (Float3-add room (Float3-in r surface-color)))))))
 
 (define-syntax-rule (fifth x) (let* ([y x] [z (fl* y y)]) (fl* y (fl* z z))))
 
