@@ -25,7 +25,8 @@
            "private/world/projection.rkt" "private/world/background.rkt"
            "private/world/world.rkt" "private/integrate/query.rkt"
            "private/sample/sampler.rkt" "private/render/render.rkt" "private/image/image.rkt"
-           "private/image/error.rkt" "private/image/write.rkt" "private/raster/view.rkt")
+           "private/image/error.rkt" "private/image/write.rkt" "private/raster/view.rkt"
+           "private/raster/raster.rkt")
           "private/surface.rkt"))
 
 (provide
@@ -112,5 +113,5 @@
  World-background-color World-nearest-hit World-occluded? World-ray-trace World-get-color-at
  World-get-ambient-percent WORLD-AMBIENT-SAMPLES WORLD-MAX-OCCLUSION-DISTANCE
  ;; pictures
- render sample-point Image? Image-width Image-height Image-pixels Image-pixel Image-write
+ render preview sample-point Image? Image-width Image-height Image-pixels Image-pixel Image-write
  Image-read Image-standard-error Image-relative-error Image-relative-error-uncertainty)

@@ -11,11 +11,12 @@
 ;; pixels: of a picture that wide; left: the column where a part of it begins.
 (struct Film ([pixels : FlVector] [width : Fixnum] [left : Fixnum]))
 
-;; Weights of a triangle's corners, and a sum of colours, kept while shaders are called.
-(define-syntax-rule (WEIGHTS) saved-rays)
-(define-syntax-rule (SUM) (fx+ saved-rays 3))
-(define-syntax-rule (CORNER-SUM) (fx+ saved-rays 6))
-(define-syntax-rule (DISTANCE) (fx+ saved-rays 9))
+;; Weights of a triangle's corners, and sums of colours, kept while kernels are called: at the far end
+;; of the stack.
+(define-syntax-rule (WEIGHTS) (fx+ flonum-stack 1000))
+(define-syntax-rule (SUM) (fx+ flonum-stack 1003))
+(define-syntax-rule (CORNER-SUM) (fx+ flonum-stack 1006))
+(define-syntax-rule (DISTANCE) (fx+ flonum-stack 1009))
 
 ;; A procedure that writes the pixels of a canvas to the film.
 (: resolver (-> Film World View (Vectorof Piece) (Vectorof FlVector) (-> FlVector FxVector Void)

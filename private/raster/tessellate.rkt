@@ -161,10 +161,12 @@
        (define caps? (Cone-caps? shape))
        (add-curved! shape (Cone-bounds shape) transform material
                     (frame-transform apex axis (Cone-radius shape) (Float3-length axis))
-                    (Cone-radius shape) 0.0 (lambda (n m) (fx* 3 n))
+                    (Cone-radius shape) 0.0 (lambda (n m) (fx* (fx* 4 n) (CONE-ROWS)))
                     (if caps? 'cone 'open-cone)
                     (lambda (n m)
-                      (joined (cons (cone-side n) (if caps? (list (cone-cap n)) '())))))]
+                      (define columns (if (fx< n 24) 48 (fx* 2 n)))
+                      (joined (cons (cone-side columns)
+                                    (if caps? (list (cone-cap columns)) '())))))]
       [(Torus? shape)
        (define-values (major minor) (values (Torus-major-radius shape) (Torus-minor-radius shape)))
        (add-curved! shape (Torus-bounds shape) transform material
@@ -381,14 +383,27 @@
             (put3! positions at (fl* v (flcos angle)) (fl* v (flsin angle)) z)
             (put3! normals at 0.0 0.0 (if up? 1.0 -1.0))))))
 
-;; From the apex at the origin to a base of radius 1 at z = 1.
+;; From the apex at the origin to a base of radius 1 at z = 1. Normals are constant along lines from
+;; the apex, which no three normals of a triangle at the apex can say: so rows shrink towards it.
+(define-syntax-rule (CONE-ROWS) 14)
 (: cone-side (-> Fixnum Tessellation))
 (define (cone-side columns)
-  (grid columns 1 #f #f #t
-        (lambda ([u : Flonum] [v : Flonum] [positions : FlVector] [at : Fixnum] [normals : FlVector])
-          (let* ([angle (angle-of u)] [z (fl- 1.0 v)] [x (flcos angle)] [y (fl* -1.0 (flsin angle))])
-            (put3! positions at (fl* z x) (fl* z y) z)
-            (put3! normals at x y -1.0)))))
+  (define side
+    (grid columns (CONE-ROWS) #f #f #t
+          (lambda ([u : Flonum] [v : Flonum] [positions : FlVector] [at : Fixnum]
+                                [normals : FlVector])
+            (let* ([angle (angle-of u)]
+                   [z (if (fl< v 1.0) (flexpt 0.7071 (fl* v (fx->fl (CONE-ROWS)))) 0.0)]
+                   [x (flcos angle)]
+                   [y (fl* -1.0 (flsin angle))])
+              (put3! positions at (fl* z x) (fl* z y) z)
+              (put3! normals at x y -1.0)))))
+  (define uvs (Tessellation-uvs side))
+  (when uvs
+    (for-range (k (fxquotient (flvector-length uvs) 2))
+      (flvector-set! uvs (fx+ 1 (fx* 2 k))
+                     (fl- 1.0 (flvector-ref (Tessellation-positions side) (fx+ 2 (fx* 3 k)))))))
+  side)
 
 (: cone-cap (-> Fixnum Tessellation))
 (define (cone-cap columns)
