@@ -18,6 +18,11 @@
            "private/material/dielectric.rkt" "private/material/plastic.rkt"
            "private/material/modified-phong.rkt" "private/material/mix.rkt"
            "private/material/rough-conductor.rkt" "private/material/rough-dielectric.rkt"
+           "private/material/interior.rkt" "private/medium/medium.rkt"
+           "private/material/texture/texture.rkt" "private/material/texture/checker.rkt"
+           "private/material/texture/image.rkt" "private/material/texture/noise.rkt"
+           "private/material/texture/noises.rkt" "private/material/texture/gradient.rkt"
+           "private/material/texture/uv.rkt" "private/material/texture/function.rkt"
            "private/light/light.rkt" "private/light/distant.rkt" "private/light/point.rkt"
            "private/light/spot.rkt" "private/light/environment.rkt"
            "private/light/sun-and-sky.rkt"
@@ -98,6 +103,20 @@
  RoughConductor-k gold copper silver aluminium
  RoughDielectric RoughDielectric? RoughDielectric-ior RoughDielectric-roughness
  RoughDielectric-absorption RoughDielectric-outside-ior
+ Medium Medium? Medium-extinction Medium-albedo Medium-anisotropy Medium-density Medium-majorant
+ Interior Interior? Interior-medium Interior-surface
+ ;; textures
+ Texture? Checker Checker? Checker-even Checker-odd Checker-size
+ CheckerUV CheckerUV? CheckerUV-even CheckerUV-odd CheckerUV-columns CheckerUV-rows
+ ImageTexture ImageTexture? ImageTexture-image ImageTexture-filter ImageTexture-wrap
+ Noise Noise? Noise-first Noise-second Noise-scale Noise-octaves Noise-seed
+ Turbulence Turbulence? Turbulence-first Turbulence-second Turbulence-scale Turbulence-octaves
+ Turbulence-seed
+ Marble Marble? Marble-first Marble-second Marble-scale Marble-bands Marble-disorder
+ Marble-octaves Marble-seed
+ GradientTexture GradientTexture? GradientTexture-first GradientTexture-second
+ GradientTexture-start GradientTexture-end UVTexture UVTexture?
+ FunctionTexture FunctionTexture? FunctionTexture-function perlin-noise perlin-turbulence
  ;; lights and what lies behind everything
  Light? DistantLight DistantLight? DistantLight-direction DistantLight-color
  PointLight PointLight? PointLight-point PointLight-intensity
@@ -110,7 +129,7 @@
  Camera-project Camera-unproject Camera-view Camera-frustum Transform-viewport
  ;; worlds
  World World? World-shapes World-spheres World-lights World-sun World-background
- World-background-color World-nearest-hit World-occluded? World-ray-trace World-get-color-at
+ World-background-color World-medium World-nearest-hit World-occluded? World-ray-trace World-get-color-at
  World-get-ambient-percent WORLD-AMBIENT-SAMPLES WORLD-MAX-OCCLUSION-DISTANCE
  ;; pictures
  render preview sample-point Image? Image-width Image-height Image-pixels Image-pixel Image-write

@@ -9,14 +9,22 @@
                                         "material/metal.rkt" "material/dielectric.rkt"
                                         "material/plastic.rkt" "material/modified-phong.rkt"
                                         "material/mix.rkt" "material/rough-conductor.rkt"
-                                        "material/rough-dielectric.rkt"
+                                        "material/rough-dielectric.rkt" "material/interior.rkt"
+                                        "medium/medium.rkt"
+                                        "material/texture/checker.rkt"
+                                        "material/texture/image.rkt"
+                                        "material/texture/noises.rkt"
+                                        "material/texture/gradient.rkt"
+                                        "material/texture/uv.rkt"
+                                        "material/texture/function.rkt"
                                         "shape/sphere.rkt" "shape/plane.rkt" "shape/disk.rkt"
                                         "shape/quad.rkt" "shape/triangle.rkt" "shape/box.rkt"
                                         "shape/cylinder.rkt" "shape/cone.rkt" "shape/torus.rkt"
                                         "shape/mesh.rkt" "shape/group.rkt" "shape/instance.rkt"
                                         "shape/moving.rkt" "shape/solid.rkt"
                                         "shape/distance.rkt" "shape/custom.rkt"
-                                        "light/environment.rkt" "light/distant.rkt" "light/point.rkt" "light/spot.rkt"
+                                        "light/environment.rkt" "light/distant.rkt"
+                                        "light/point.rkt" "light/spot.rkt"
                                         "world/ray.rkt" "world/camera.rkt"
                                         "world/background.rkt" "world/world.rkt"))
          (for-syntax racket/base))
@@ -59,6 +67,17 @@
 (define-surface Mix (first second weight))
 (define-surface RoughConductor (roughness color eta k))
 (define-surface RoughDielectric (ior roughness absorption outside-ior))
+(define-surface Medium (extinction albedo anisotropy density majorant))
+(define-surface Interior (medium surface))
+(define-surface Checker (even odd size))
+(define-surface CheckerUV (even odd columns rows))
+(define-surface ImageTexture (image filter wrap))
+(define-surface Noise (first second scale octaves seed))
+(define-surface Turbulence (first second scale octaves seed))
+(define-surface Marble (first second scale bands disorder octaves seed))
+(define-surface GradientTexture (first second start end))
+(define-surface UVTexture ())
+(define-surface FunctionTexture (function))
 (define-surface GradientSky (bottom top))
 (define-surface EnvironmentMap (image) #:struct (image _ _))
-(define-surface World (shapes lights background) #:struct (shapes lights background _ _))
+(define-surface World (shapes lights background) #:struct (shapes lights background _ _ _))

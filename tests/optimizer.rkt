@@ -10,7 +10,9 @@
     '("world/trace.rkt" "world/gather.rkt" "world/camera.rkt" "shape/sphere.rkt" "shape/triangle.rkt"
       "shape/quad.rkt" "shape/box.rkt" "shape/mesh.rkt" "sample/sampler.rkt" "sample/warp.rkt"
       "light/sphere.rkt" "light/quad.rkt" "material/lambertian.rkt" "material/dielectric.rkt"
-      "integrate/path.rkt" "integrate/seed.rkt" "render/pixel.rkt"))
+      "material/texture/checker.rkt" "material/texture/image.rkt" "material/texture/noise.rkt"
+      "material/texture/noises.rkt" "material/texture/gradient.rkt"
+      "integrate/path.rkt" "integrate/seed.rkt" "integrate/emission.rkt" "render/pixel.rkt"))
 
   ;; What the optimizer logs while a file is expanded from its source.
   (define (optimizer-log path)

@@ -68,6 +68,7 @@
      (put-surface-at! scene r (Intersection-point intersection) (Intersection-normal intersection))
      (Float3-put! r throughput (Float3 1.0 1.0 1.0))
      (fxvector-set! i hit-material 0)
+     (Float3-put! r surface-color (Intersection-color intersection))
      (face-viewer! r)
      ((local-shading scene (World-shading world)
                      (pack-materials (vector (make-Phong (Intersection-color intersection)))))

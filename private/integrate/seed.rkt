@@ -4,21 +4,21 @@
 ;; surfaces multiply irradiance as they are, without the division by pi of the path integrator.
 (require "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/frame.rkt"
          "../sample/sampler.rkt" "../sample/warp.rkt"
-         "../material/material.rkt" "../material/phong.rkt" "../material/emitter.rkt"
+         "../material/material.rkt" "../material/phong.rkt"
+         "../material/texture/texture.rkt" "../material/texture/kernels.rkt"
          "../material/color.rkt" "../light/light.rkt"
-         "../world/scene.rkt" "../world/trace.rkt" "../world/gather.rkt" "../world/world.rkt")
+         "../world/scene.rkt" "../world/trace.rkt" "../world/gather.rkt" "../world/world.rkt"
+         "emission.rkt")
 
 (provide seed-integrator local-shading pack-materials ambient-visibility! face-viewer!
          put-ray-from-surface!)
 
 ;; What this integrator knows of a material, packed by number: colour, specularity, shininess,
-;; reflectivity, emitted radiance, and 1 where the emission is two-sided.
-(define-syntax-rule (STRIDE) 12)
+;; reflectivity.
+(define-syntax-rule (STRIDE) 8)
 (define-syntax-rule (specularity-place) 3)
 (define-syntax-rule (shininess-place) 4)
 (define-syntax-rule (reflectivity-place) 5)
-(define-syntax-rule (emission-place) 8)
-(define-syntax-rule (two-sided-place) 11)
 
 (: pack-materials (-> (Vectorof Material) FlVector))
 (define (pack-materials materials)
@@ -27,15 +27,10 @@
         [k : Nonnegative-Fixnum (in-range (vector-length materials))])
     (define at (fx* (STRIDE) k))
     (Float3-put! packed at (Material-color material))
-    (cond
-      [(Phong? material)
-       (flvector-set! packed (fx+ at (specularity-place)) (Phong-specularity material))
-       (flvector-set! packed (fx+ at (shininess-place)) (Phong-shininess material))
-       (Float3-put! packed (fx+ at (reflectivity-place)) (Phong-reflectivity material))]
-      [(Emitter? material)
-       (Float3-put! packed (fx+ at (emission-place)) (Emitter-radiance material))
-       (flvector-set! packed (fx+ at (two-sided-place))
-                      (if (Emitter-two-sided? material) 1.0 0.0))]))
+    (when (Phong? material)
+      (flvector-set! packed (fx+ at (specularity-place)) (Phong-specularity material))
+      (flvector-set! packed (fx+ at (shininess-place)) (Phong-shininess material))
+      (Float3-put! packed (fx+ at (reflectivity-place)) (Phong-reflectivity material))))
   packed)
 
 ;; seed-integrator : a procedure that takes the ray in the scratch and leaves its colour in
@@ -43,6 +38,8 @@
 (: seed-integrator (-> Scene Shading (-> FlVector FxVector Void)))
 (define (seed-integrator scene shading)
   (define packed (pack-materials (Scene-materials scene)))
+  (define add-emission! (emission-kernel scene))
+  (define put-color! (color-kernel scene packed))
   (define background (Scene-background scene))
   (define mirror-bounces (Shading-mirror-bounces shading))
   (define shade-locally! (local-shading scene shading packed))
@@ -54,7 +51,10 @@
       (cond
         [(Scene-nearest! scene r i)
          (Scene-surface! scene r i)
-         (add-emission! packed r i)
+         (when add-emission!
+           (flvector-set! r light-density 1.0)
+           (add-emission! r i))
+         (put-color! r i)
          (face-viewer! r)
          (shade-locally! r i)
          (when (and (reflects? packed r i) (fx< bounces mirror-bounces))
@@ -68,18 +68,6 @@
                                                           (Float3-in r surface-color))))]))))
 
 (define-syntax-rule (material-place i) (fx* (STRIDE) (fxvector-ref i hit-material)))
-
-;; Light the surface itself gives off towards the viewer.
-(define-syntax-rule (add-emission! packed r i)
-  (let ([at (material-place i)])
-    (let-float3 ([n (Float3-in r surface-normal)] [d (Float3-in r ray-direction)])
-      (when (or (fl< (Float3-dot n d) 0.0)
-                (fl= (flvector-ref packed (fx+ at (two-sided-place))) 1.0))
-        (Float3-put! r radiance
-                     (Float3-add (Float3-in r radiance)
-                                 (Float3-scale-by-vector
-                                  (Float3-in r throughput)
-                                  (Float3-in packed (fx+ at (emission-place))))))))))
 
 ;; Turns the normals to the side the ray came from, so that both sides of a surface are shaded.
 (define-syntax-rule (face-viewer! r)
@@ -112,8 +100,25 @@
                                     (flvector-ref r surface-error)
                                     (Float3-in r surface-normal))))
 
-;; A procedure that adds to `radiance`, times throughput, what the surface in the scratch sends
-;; towards out-direction without its mirror's share.
+;; A procedure that leaves the colour of the surface in the scratch, its normals still pointing
+;; outside, in surface-color.
+(: color-kernel (-> Scene FlVector (-> FlVector FxVector Void)))
+(define (color-kernel scene packed)
+  (define textures : (Vectorof (U #f TextureKernel))
+    (for/vector : (Vectorof (U #f TextureKernel)) ([material (in-vector (Scene-materials scene))])
+      (and (Phong? material)
+           (Texture? (Phong-color material))
+           (radiance-kernel (Phong-color material)))))
+  (lambda ([r : FlVector] [i : FxVector])
+    (define texture! (vector-ref textures (fxvector-ref i hit-material)))
+    (cond
+      [texture!
+       (Scene-uv! scene r i)
+       (texture! r i)]
+      [else (Float3-put! r surface-color (Float3-in packed (material-place i)))])))
+
+;; A procedure that adds to `radiance`, times throughput, what the surface in the scratch, of colour
+;; surface-color, sends towards out-direction without its mirror's share.
 (: local-shading (-> Scene Shading FlVector (-> FlVector FxVector Void)))
 (define (local-shading scene shading packed)
   (define lights (Scene-lights scene))
@@ -141,7 +146,7 @@
                       (flvector-ref r ambient-percent)
                       (Float3-scale-by-vector
                        (Float3-in r bsdf-weight)
-                       (Float3-scale-by-vector (Float3-in packed at) ambient-color)))))
+                       (Float3-scale-by-vector (Float3-in r surface-color) ambient-color)))))
       (put-ray-from-surface! r)
       (let each-light ([k : Fixnum 0])
         (when (fx< k light-count)
@@ -200,7 +205,7 @@
                     (Float3-in r radiance)
                     (Float3-scale-by-vector
                      light
-                     (Float3-add (Float3-scale-by-scalar (Float3-in packed at) cosine)
+                     (Float3-add (Float3-scale-by-scalar (Float3-in r surface-color) cosine)
                                  (Float3 highlight highlight highlight))))))))
 
 ;; The article's percentage of ambient light at the surface in the scratch, into ambient-percent:

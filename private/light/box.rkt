@@ -11,7 +11,7 @@
   (define low (Box-low box))
   (define high (Box-high box))
   (define extent (Float3-subtract high low))
-  (define radiance (Emitter-radiance emitter))
+  (define radiance (Emitter-constant-radiance emitter))
   (define two-sided? (Emitter-two-sided? emitter))
   (define area-x (fl* (Float3-y extent) (Float3-z extent)))
   (define area-y (fl* (Float3-z extent) (Float3-x extent)))
@@ -60,7 +60,7 @@
   (: density (-> FlVector FxVector Void))
   (define (density r i)
     (let-seen-areas (low-x high-x low-y high-y low-z high-z area) r
-      (let* ([distance (flvector-ref r hit-t)]
+      (let* ([distance (fl+ (flvector-ref r travelled) (flvector-ref r hit-t))]
              [axis (fxrshift (fl->fx (flvector-ref r hit-u)) 1)]
              [cosine (flabs (flvector-ref r (fx+ in-direction axis)))])
         (flvector-set! r light-density

@@ -15,7 +15,7 @@
   (define positions (Mesh-positions mesh))
   (define triangles (Mesh-triangles mesh))
   (define count (Mesh-triangle-count mesh))
-  (define radiance (Emitter-radiance emitter))
+  (define radiance (Emitter-constant-radiance emitter))
   (define two-sided? (Emitter-two-sided? emitter))
   (define sums (area-sums positions triangles count))
   (define area (if (eqv? count 0) 0.0 (flvector-ref sums (fx- count 1))))

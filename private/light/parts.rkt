@@ -59,7 +59,9 @@
       [else
        (define emitter (or material (Shape-material shape)))
        (define light
-         (and (Emitter? emitter) (part-light-kernel shape emitter level transforms)))
+         (and (Emitter? emitter)
+              (Float3? (Emitter-radiance emitter))
+              (part-light-kernel shape emitter level transforms)))
        (cond
          [light
           (define number (fx+ first count))

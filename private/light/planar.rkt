@@ -61,7 +61,7 @@
   (define normal (Disk-normal disk))
   (define radius (Disk-radius disk))
   (define area (fl* (PI) (fl* radius radius)))
-  (define radiance (Emitter-radiance emitter))
+  (define radiance (Emitter-constant-radiance emitter))
   (define two-sided? (Emitter-two-sided? emitter))
   (LightKernel
    (lambda ([r : FlVector] [i : FxVector])
@@ -89,7 +89,7 @@
   (define normal
     (if (fl> double-area 0.0) (Float3-scale-by-scalar across (fl/ 1.0 double-area)) across))
   (define area (fl* 0.5 double-area))
-  (define radiance (Emitter-radiance emitter))
+  (define radiance (Emitter-constant-radiance emitter))
   (define two-sided? (Emitter-two-sided? emitter))
   (LightKernel
    (lambda ([r : FlVector] [i : FxVector])

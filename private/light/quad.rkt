@@ -19,7 +19,7 @@
   (define across (Float3-cross edge-u edge-v))
   (define area (Float3-length across))
   (define normal (Float3-scale-by-scalar across (fl/ 1.0 area)))
-  (define radiance (Emitter-radiance emitter))
+  (define radiance (Emitter-constant-radiance emitter))
   (define two-sided? (Emitter-two-sided? emitter))
   (define length-u (Float3-length edge-u))
   (define length-v (Float3-length edge-v))

@@ -14,7 +14,7 @@
 (define (Sphere-light-kernel sphere emitter primitive)
   (define center (Sphere-point sphere))
   (define radius (Sphere-radius sphere))
-  (define radiance (Emitter-radiance emitter))
+  (define radiance (Emitter-constant-radiance emitter))
   (define two-sided? (Emitter-two-sided? emitter))
   ;; from near by, the cosine comes from the difference of the squares, which would cancel
   (define unit (power-of-two-above radius))

@@ -31,7 +31,7 @@
 (: ModifiedPhong-kernel (-> ModifiedPhong MaterialKernel))
 (define (ModifiedPhong-kernel material)
   (define shininess (ModifiedPhong-shininess material))
-  (phong-lobes-kernel (ModifiedPhong-albedo material)
+  (phong-lobes-kernel (ModifiedPhong-albedo material) (make-Float3 1 1 1)
                       (Float3-scale-by-scalar (ModifiedPhong-specular material)
                                               (fl/ (fl+ shininess 2.0) (TWO-PI)))
                       shininess #t (make-Float3 0 0 0)))

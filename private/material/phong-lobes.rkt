@@ -3,7 +3,7 @@
 ;; direction that falls off as a power of the cosine, and perhaps a mirror.
 (require "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/frame.rkt"
          "../sample/sampler.rkt" "../sample/warp.rkt" "../sample/circle.rkt"
-         "kernel.rkt" "scatter.rkt")
+         "kernel.rkt" "scatter.rkt" "texture/texture.rkt" "texture/kernels.rkt")
 
 (provide phong-lobes-kernel)
 
@@ -12,16 +12,23 @@
   #:let ([cosine (flexpt u inverse)])
   (flsqrt (fl* (fl- 1.0 cosine) (fl+ 1.0 cosine))) v cosine)
 
-;; Value times cosine is diffuse cos / pi + peak cos^shininess(alpha), alpha the angle to the
+;; Value times cosine is color share cos / pi + peak cos^shininess(alpha), alpha the angle to the
 ;; mirrored direction, the second times the cosine too where foreshortened?; and mirror's share
 ;; goes to the mirrored direction itself. The three parts are chosen by their largest component,
 ;; for the highlight that of its whole lobe. Draws one pair, whose first number chooses and is
 ;; stretched again. Below the surface the value is 0 and the highlight's density is not.
-(: phong-lobes-kernel (-> Float3 Float3 Flonum Boolean Float3 MaterialKernel))
-(define (phong-lobes-kernel diffuse peak shininess foreshortened? mirror)
+(: phong-lobes-kernel
+   (-> ColorOrTexture Float3 Float3 Flonum Boolean Float3 MaterialKernel))
+(define (phong-lobes-kernel color share peak shininess foreshortened? mirror)
+  (: times-share! (-> FlVector Fixnum Void))
+  (define (times-share! v at)
+    (Float3-put! v at (Float3-scale-by-vector share (Float3-in v at))))
+  (define-values (constant place prepare) (albedo-source color times-share!))
   (define lobe-norm (fl/ (fl+ shininess 1.0) (TWO-PI)))
   (define inverse (fl/ 1.0 (fl+ shininess 1.0)))
-  (define diffuse-part (Float3-largest-component diffuse))
+  ;; a texture may be as bright as white
+  (define diffuse-part
+    (Float3-largest-component (if constant (Float3-in constant 0) share)))
   (define highlight-part (fl/ (Float3-largest-component peak) lobe-norm))
   (define mirror-part (Float3-largest-component mirror))
   (define total (fl+ mirror-part (fl+ highlight-part diffuse-part)))
@@ -46,7 +53,8 @@
         (if (fl> cosine 0.0)
             (Float3-put! r bsdf-weight
                          (Float3-multiply-add
-                          (Float3-scale-by-scalar diffuse (fl* (INVERSE-PI) cosine))
+                          (Float3-scale-by-scalar (Float3-in (or constant r) place)
+                                                  (fl* (INVERSE-PI) cosine))
                           highlight peak))
             (Float3-put! r bsdf-weight (Float3 0.0 0.0 0.0))))))
 
@@ -86,4 +94,4 @@
 
   (MaterialKernel sample evaluate
                   (and (fl= diffuse-part 0.0) (fl= highlight-part 0.0) (fl> mirror-part 0.0))
-                  #f #f))
+                  #f prepare))

@@ -6,7 +6,7 @@
          (only-in "../base/float3.rkt" make-Float3)
          (only-in "../base/transform.rkt" Transform-identity)
          (only-in "../world/world.rkt" make-World World? World-shapes World-lights
-                  World-background World-shading World-from-parts)
+                  World-background World-shading World-medium World-from-parts)
          (only-in "../world/camera.rkt" Camera-look-at)
          (only-in "../world/background.rkt" make-GradientSky)
          (only-in "../light/environment.rkt" make-EnvironmentMap)
@@ -35,6 +35,13 @@
          (only-in "../material/mix.rkt" make-Mix)
          (only-in "../material/rough-conductor.rkt" make-RoughConductor)
          (only-in "../material/rough-dielectric.rkt" make-RoughDielectric)
+         (only-in "../material/texture/checker.rkt" make-Checker make-CheckerUV)
+         (only-in "../material/texture/image.rkt" make-ImageTexture)
+         (only-in "../material/texture/noises.rkt" make-Noise make-Turbulence make-Marble)
+         (only-in "../material/texture/gradient.rkt" make-GradientTexture)
+         (only-in "../material/texture/uv.rkt" make-UVTexture)
+         (only-in "../material/interior.rkt" make-Interior)
+         (only-in "../medium/medium.rkt" make-Medium)
          (only-in "pixel.rkt" Tiling)
          (only-in "job.rkt" Job))
 
@@ -51,6 +58,7 @@
          [matte (make-Lambertian zero)]
          [world (make-World '() '() zero)]
          [camera (Camera-look-at up zero side)]
+         [dot (make-Image 1 1 (flvector 0.0 0.0 0.0))]
          [tiling (Tiling 1 1 1 '(0 0 1 1))])
     (list zero here (World-shading world) camera tiling (Job world camera tiling 1 0 'owen-sobol 'box 'auto #f)
           (make-GradientSky zero zero)
@@ -64,7 +72,11 @@
           (make-DistantLight up zero) (make-PointLight zero zero) (make-SpotLight zero up zero 1 0.5)
           (make-Phong zero) (make-Emitter zero) matte (make-Mirror zero) (make-Metal zero 0)
           (make-Dielectric 1.5) (make-Plastic zero 1.5) (make-ModifiedPhong zero zero 1)
-          (make-Mix matte matte 0.5) (make-RoughConductor 0.1) (make-RoughDielectric 1.5))))
+          (make-Mix matte matte 0.5) (make-RoughConductor 0.1) (make-RoughDielectric 1.5)
+          (make-Checker zero zero) (make-CheckerUV zero zero) dot (make-ImageTexture dot)
+          (make-Noise zero zero) (make-Turbulence zero zero) (make-Marble zero zero)
+          (make-GradientTexture zero zero) (make-UVTexture)
+          (make-Medium 1 zero) (make-Interior (make-Medium 1 zero)))))
 
 (define (value-type value)
   (define-values (type skipped?) (struct-info value))
@@ -90,7 +102,7 @@
   (cond
     [(World? value)
      (list 'World (World-shapes value) (World-lights value) (World-background value)
-           (World-shading value))]
+           (World-shading value) (World-medium value))]
     [(Mesh? value)
      (list 'Mesh (Mesh-positions value) (Mesh-triangles value) (Mesh-normals value)
            (Mesh-uvs value) (Mesh-material value))]

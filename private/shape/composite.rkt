@@ -91,16 +91,17 @@
   (Float3-normalized (Float3-scale-by-scalar v (fl/ 1.0 (Float3-largest-magnitude v)))))
 
 ;; Takes the point and the normal of the surface into the space of the part, for its texture
-;; coordinates, and keeps them as they were.
+;; and its texture coordinates, and keeps them as they were.
 (define-syntax-rule (put-local-normal! r i (matrix m) (inverse n))
   (let ([place (saved i)])
     (copy-three! r place surface-point)
     (copy-three! r (fx+ place 3) surface-normal)
     (let-float3 ([normal (matrix-normal matrix m (Float3-in r surface-normal))])
       (Float3-put! r surface-normal (scaled-to-unit normal))
-      (Float3-put! r surface-point
-                   (matrix-vector inverse n (Float3-subtract (Float3-in r surface-point)
-                                                             (matrix-origin matrix m)))))))
+      (let-float3 ([local (matrix-vector inverse n (Float3-subtract (Float3-in r surface-point)
+                                                                    (matrix-origin matrix m)))])
+        (Float3-put! r surface-point local)
+        (Float3-put! r texture-point local)))))
 
 (define-syntax-rule (restore-surface! r i)
   (let ([place (saved i)])

@@ -8,7 +8,8 @@
 ;; bounds: low x y z, high x y z; infinite for a plane. nearest: looks for a hit with parameter in
 ;; (0, ray-limit), writes hit-t, hit-u, hit-v, and tells whether there was one. occluded: the same
 ;; without caring which hit or writing one. surface: from the hit to surface-point, -normal,
-;; -shading-normal and -error. uv: from the surface to surface-uv. nesting: levels of instances
+;; -shading-normal and -error. uv: from the surface to surface-uv; a shape that puts another one
+;; into a place of its own leaves the point in that one's space in texture-point. nesting: levels of instances
 ;; and hierarchies entered below this shape; stack: traversal places they need.
 (struct ShapeKernel
   ([bounds : FlVector]

@@ -4,7 +4,7 @@
 (require "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt"
          "../shape/kernel.rkt" "../shape/sphere.rkt" "scene.rkt" "traverse.rkt")
 
-(provide Scene-nearest! Scene-occluded? Scene-surface! Scene-nearest-by-scan!)
+(provide Scene-nearest! Scene-occluded? Scene-surface! Scene-uv! Scene-nearest-by-scan!)
 
 ;; Whether the ray hits anything with 0 < t < ray-limit; the nearest hit, of the lowest primitive
 ;; where several are equally near, into hit-t and hit-primitive (-1 for none).
@@ -188,3 +188,13 @@
              [radius (flvector-ref packed (fx+ 3 (fx* 4 primitive)))])
         (let-float3 ([center (Float3-in packed (fx* 4 primitive))])
           (Sphere-surface! r center radius)))))
+
+;; What textures are asked with, for the surface in the scratch while its normals still point
+;; outside: texture coordinates, and the point in the space the shape was made in.
+(: Scene-uv! (-> Scene FlVector FxVector Void))
+(define (Scene-uv! scene r i)
+  (define kernel (vector-ref (Scene-kernels scene) (fxvector-ref i hit-primitive)))
+  (Float3-put! r texture-point (Float3-in r surface-point))
+  (if kernel
+      ((ShapeKernel-uv kernel) r i)
+      (Sphere-uv! r i)))

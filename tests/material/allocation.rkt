@@ -9,7 +9,10 @@
            "../../private/material/mirror.rkt" "../../private/material/metal.rkt"
            "../../private/material/dielectric.rkt" "../../private/material/plastic.rkt"
            "../../private/material/modified-phong.rkt" "../../private/material/phong.rkt"
-           "../../private/material/mix.rkt")
+           "../../private/material/mix.rkt" "../../private/material/texture/checker.rkt"
+           "../../private/material/texture/noises.rkt"
+           "../../private/material/texture/gradient.rkt" "../../private/material/texture/image.rkt"
+           "../../private/image/image.rkt")
 
   (define calls : Fixnum 100000)
 
@@ -53,14 +56,23 @@
           (cons "Plastic" plastic)
           (cons "ModifiedPhong" modified-phong)
           (cons "Phong" (make-Phong grey #:reflectivity 0.2))
-          (cons "Mix" (make-Mix (make-Mix glass plastic 0.5) modified-phong 0.5))))
+          (cons "Mix" (make-Mix (make-Mix glass plastic 0.5) modified-phong 0.5))
+          (cons "Checker" (make-Metal (make-Checker white (make-CheckerUV grey white)) 0.5))
+          (cons "Noise" (make-Lambertian (make-Noise white grey #:octaves 4)))
+          (cons "Marble" (make-Plastic (make-Marble white grey)))
+          (cons "GradientTexture" (make-Mirror (make-GradientTexture white grey)))
+          (cons "ImageTexture"
+                (make-Lambertian (make-ImageTexture (make-Image 1 2 (make-flvector 6 0.5)))))
+          (cons "Mix by a texture" (make-Mix glass plastic (make-Turbulence white grey)))))
 
   (for ([material (in-list materials)])
     (define kernel (Material-kernel (cdr material)))
+    (define prepare (MaterialKernel-prepare kernel))
     (define (check [kind : String] [bytes : Flonum])
       (when (getenv "RAYTRACE_STRESS")
         (printf "~a ~a: ~a bytes a call\n" (car material) kind bytes))
       (check-true (fl< bytes 1.0) (format "~a ~a: ~a bytes a call" (car material) kind bytes)))
+    (when prepare (check "prepare" (bytes-per-call prepare 0)))
     (for ([inside (in-list (ann '(0 1) (Listof Fixnum)))])
       (check "sample" (bytes-per-call (MaterialKernel-sample kernel) inside))
       (check "evaluate" (bytes-per-call (MaterialKernel-evaluate kernel) inside)))))
