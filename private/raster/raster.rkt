@@ -2,15 +2,10 @@
 ;; A world drawn at once, by rasterization: its pieces go into a z-buffer, then every surface that is
 ;; seen in a pixel is shaded once.
 (require "../base/unsafe.rkt" "../base/float3.rkt" "../base/check.rkt"
-         "../world/camera.rkt" "../world/world.rkt" "../image/image.rkt"
+         "../world/camera.rkt" "../world/world.rkt" "../image/image.rkt" "../integrate/integrators.rkt"
          "scan.rkt" "tessellate.rkt" "cover.rkt" "shade.rkt" "resolve.rkt")
 
-(provide preview SHADINGS coverage-offsets)
-
-;; How surfaces are shaded: one colour a triangle, colours of corners interpolated, normals of corners
-;; interpolated, those in steps with an outline, edges only; and views of one thing each.
-(define SHADINGS : (Listof Symbol)
-  '(phong gouraud flat toon wireframe normals depth texture-coordinates))
+(provide preview coverage-offsets)
 
 ;; preview : the picture of a world through a camera at once, without shadows, reflections of other
 ;; surfaces, blur and noise. #:width and #:height in pixels. #:shading one of SHADINGS, or a list of
@@ -106,7 +101,7 @@
   (define samples (fxquotient (fxvector-length offsets) 2))
   (define band-height
     (let ([rows (fxquotient MOST-SAMPLES-AT-ONCE (fx* width samples))]) (if (fx< rows 1) 1 rows)))
-  (define resolve! (resolver film world view drawn corners shade! shading fog-color fog-density top))
+  (define resolve! (resolver film world view drawn corners shade! materials shading fog-color fog-density top))
   (let each-band ([y : Fixnum top])
     (when (fx< y (fx+ top height))
       (let* ([rest (fx- (fx+ top height) y)]

@@ -4,7 +4,8 @@
 (require "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/matrix.rkt"
          "../base/transform.rkt" "../shape/kernel.rkt" "../world/camera.rkt"
          "../world/camera-kernel.rkt" "../world/background.rkt" "../world/world.rkt"
-         "scan.rkt" "tessellate.rkt" "cover.rkt")
+         "../material/material.rkt"
+         "scan.rkt" "tessellate.rkt" "cover.rkt" "shade.rkt")
 
 (provide (struct-out Film) resolver)
 
@@ -20,8 +21,8 @@
 
 ;; A procedure that writes the pixels of a canvas to the film.
 (: resolver (-> Film World View (Vectorof Piece) (Vectorof FlVector) (-> FlVector FxVector Void)
-                Symbol Float3 Flonum Fixnum (-> Canvas Void)))
-(define (resolver film world view drawn corners shade! shading fog-color fog-density film-top)
+                (Vectorof Material) Symbol Float3 Flonum Fixnum (-> Canvas Void)))
+(define (resolver film world view drawn corners shade! materials shading fog-color fog-density film-top)
   (define-values (r i) (make-scratch view))
   (define camera (View-camera view))
   (define cast-ray! (Camera-kernel camera (View-width view) (View-height view)))
@@ -30,7 +31,12 @@
   (define flat? (eq? shading 'flat))
   (define gouraud? (eq? shading 'gouraud))
   (define toon? (eq? shading 'toon))
-  (define uv? (eq? shading 'texture-coordinates))
+  ;; by material, whether texture coordinates are asked for
+  (define uv-needs
+    (for/vector : (Vectorof Boolean) ([material (in-vector materials)])
+      (define-values (texture place) (Material-texture material))
+      (or (and texture #t) (eq? shading 'texture-coordinates))))
+  (define-syntax-rule (uv-needed?) (vector-ref uv-needs (fxvector-ref i hit-material)))
   (define foggy? (and (fl> fog-density 0.0) (not plain-ground?)))
   (define perspective? (View-perspective? view))
   (define eye (Camera-eye camera))
@@ -84,7 +90,17 @@
                 (Float3-put! r surface-shading-normal
                              (Float3-normalized (matrix-normal inverse 0 blend))))
               (Float3-put! r surface-shading-normal normal)))))
-    (when uv?
+    (when (uv-needed?)
+      (let ([frame (Piece-frame piece)])
+        (let-float3 ([weights (Float3-in r (WEIGHTS))]
+                     [local (Float3-multiply-add
+                             (Float3-multiply-add
+                              (Float3-scale-by-scalar (Float3-in positions p) (Float3-x weights))
+                              (Float3-y weights) (Float3-in positions q))
+                             (Float3-z weights) (Float3-in positions s))])
+          (if frame
+              (Float3-put! r texture-point (matrix-point (Transform-matrix frame) 0 local))
+              (Float3-put! r texture-point local))))
       (let ([uvs (Tessellation-uvs mesh)])
         (let-float3 ([weights (Float3-in r (WEIGHTS))])
           (define-syntax-rule (put! k otherwise)
@@ -193,7 +209,9 @@
       [((ShapeKernel-nearest kernel) r i)
        (fxvector-set! i hit-material material)
        ((ShapeKernel-surface kernel) r i)
-       (when uv? ((ShapeKernel-uv kernel) r i))
+       (when (uv-needed?)
+         (Float3-put! r texture-point (Float3-in r surface-point))
+         ((ShapeKernel-uv kernel) r i))
        (when flat? (Float3-put! r surface-shading-normal (Float3-in r surface-normal)))
        (face-viewer!)
        (flvector-set! r (DISTANCE) (flvector-ref r hit-t))

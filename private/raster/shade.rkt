@@ -6,13 +6,14 @@
          "../material/emitter.rkt" "../material/lambertian.rkt" "../material/mirror.rkt"
          "../material/metal.rkt" "../material/dielectric.rkt" "../material/plastic.rkt"
          "../material/modified-phong.rkt" "../material/mix.rkt" "../material/rough-conductor.rkt"
-         "../material/rough-dielectric.rkt"
+         "../material/rough-dielectric.rkt" "../material/texture/texture.rkt"
+         "../material/texture/kernels.rkt"
          "../light/light.rkt" "../light/kernels.rkt"
          "../world/world.rkt" "../world/background.rkt" "tessellate.rkt")
 
-(provide make-shader)
+(provide make-shader Material-texture)
 
-;; --- what a material looks like, in sixteen numbers ---
+;; --- what a material looks like, in twenty numbers ---
 
 ;; color: of the body, of highlights, of a mirror; the sharpness of highlights; the reflectance of a
 ;; coat seen along its normal, or -1 for none; light it gives off; whether on both sides; the part
@@ -47,6 +48,47 @@
   (flvector-set! packed (clear-place) clear)
   packed)
 
+;; The texture that drives a material, and the place in its look of the colour that it drives; there
+;; stands what the texture's colour is multiplied with.
+(: Material-texture (-> Material (Values (U #f Texture) Fixnum)))
+(define (Material-texture material)
+  (define-values (source place)
+    (cond
+      [(Phong? material) (values (Phong-color material) 0)]
+      [(Lambertian? material) (values (Lambertian-albedo material) 0)]
+      [(Plastic? material) (values (Plastic-albedo material) 0)]
+      [(Mirror? material) (values (Mirror-color material) (mirror-place))]
+      [(Metal? material) (values (Metal-albedo material) (mirror-place))]
+      [(Emitter? material) (values (Emitter-radiance material) (emission-place))]
+      [else (values #f 0)]))
+  (values (and (Texture? source) source) place))
+
+(: factor (-> ColorOrTexture Float3))
+(define (factor source) (if (Float3? source) source (make-Float3 1 1 1)))
+
+;; One colour for what shines or reflects: a texture's mean over a grid of texture coordinates.
+(: mean-color (-> ColorOrTexture Float3))
+(define (mean-color source)
+  (cond
+    [(Float3? source) source]
+    [else
+     (define show! (radiance-kernel source))
+     (define r (make-flonum-registers))
+     (define i (make-fixnum-registers))
+     (define sum (make-flvector 3 0.0))
+     (let each ([k : Fixnum 0])
+       (when (fx< k 64)
+         (let ([u (fl/ (fl+ 0.5 (fx->fl (fxand k 7))) 8.0)]
+               [v (fl/ (fl+ 0.5 (fx->fl (fxrshift k 3))) 8.0)])
+           (flvector-set! r surface-uv u)
+           (flvector-set! r (fx+ 1 surface-uv) v)
+           (Float3-put! r texture-point (Float3 u v 0.0)))
+         (show! r i)
+         (Float3-put! sum 0 (Float3-multiply-add (Float3-in sum 0) (fl/ 1.0 64.0)
+                                                 (Float3-in r surface-color)))
+         (each (fx+ k 1))))
+     (Float3-in sum 0)]))
+
 ;; irradiance-share: what a surface of colour 1 sends of the light it gets: 1 in the article's
 ;; shading, 1/pi where light is traced.
 (: Material-look (-> Material Flonum FlVector))
@@ -68,23 +110,23 @@
     [(Phong? material)
      (let-float3 ([mirror (Phong-reflectivity material)]
                   [rest (Float3-subtract (Float3 1.0 1.0 1.0) mirror)])
-       (look #:body (Float3-scale-by-vector rest (Phong-color material))
+       (look #:body (Float3-scale-by-vector rest (factor (Phong-color material)))
              #:highlight (Float3-scale-by-scalar rest (fl* share (Phong-specularity material)))
              #:shininess (Phong-shininess material) #:mirror mirror))]
     [(Emitter? material)
      (define surface (Emitter-surface material))
      (define packed (if surface (Material-look surface share) (look)))
-     (Float3-put! packed (emission-place) (Emitter-radiance material))
+     (Float3-put! packed (emission-place) (factor (Emitter-radiance material)))
      (flvector-set! packed (two-sided-place) (if (Emitter-two-sided? material) 1.0 0.0))
      packed]
-    [(Lambertian? material) (look #:body (Lambertian-albedo material))]
-    [(Mirror? material) (look #:mirror (Mirror-color material))]
-    [(Metal? material) (metal (Metal-albedo material) (Metal-fuzz material))]
+    [(Lambertian? material) (look #:body (factor (Lambertian-albedo material)))]
+    [(Mirror? material) (look #:mirror (factor (Mirror-color material)))]
+    [(Metal? material) (metal (factor (Metal-albedo material)) (Metal-fuzz material))]
     [(RoughConductor? material)
      (metal (conductor-color material) (RoughConductor-roughness material))]
     [(Plastic? material)
      (define f0 (reflectance (Plastic-ior material)))
-     (look #:body (Plastic-albedo material) #:coat f0
+     (look #:body (factor (Plastic-albedo material)) #:coat f0
            #:highlight (lobe (grey f0) 200.0) #:shininess 200.0)]
     [(ModifiedPhong? material)
      (define shininess (ModifiedPhong-shininess material))
@@ -98,7 +140,9 @@
     [(Mix? material)
      (define first (Material-look (Mix-first material) share))
      (define second (Material-look (Mix-second material) share))
-     (define weight (Mix-weight material))
+     (define given-weight (Mix-weight material))
+     (define weight
+       (if (flonum? given-weight) given-weight (Float3-x (mean-color given-weight))))
      (define mixed (make-flvector (STRIDE) 0.0))
      (let each ([k : Fixnum 0])
        (when (fx< k (STRIDE))
@@ -150,7 +194,7 @@
          (and (fl> area 0.0)
               (begin
                 (Float3-put! packed 0 (Float3-scale-by-scalar (Float3-in packed 0) (fl/ 1.0 area)))
-                (Float3-put! packed 7 (Emitter-radiance emitter))
+                (Float3-put! packed 7 (mean-color (Emitter-radiance emitter)))
                 (flvector-set! packed 6 area)
                 (flvector-set! packed 10 (if (Emitter-two-sided? emitter) 1.0 0.0))
                 packed)))))
@@ -258,23 +302,41 @@
   ;; where ambient light is all there is, part of it comes from the viewer, to show forms
   (define headlight
     (if (and (= 0 (vector-length kernels)) (= 0 (vector-length area-lights))) 0.6 0.0))
+  (define textures
+    (for/vector : (Vectorof (U #f TextureKernel)) ([material (in-vector materials)])
+      (define-values (texture place) (Material-texture material))
+      (and texture (radiance-kernel texture))))
+  (define texture-places
+    (for/vector : (Vectorof Fixnum) ([material (in-vector materials)])
+      (define-values (texture place) (Material-texture material))
+      place))
   (lambda ([r : FlVector] [i : FxVector])
     (define at (fx* (STRIDE) (fxvector-ref i hit-material)))
+    (define texture! (vector-ref textures (fxvector-ref i hit-material)))
+    (let copy ([k : Fixnum 0])
+      (when (fx< k (STRIDE))
+        (flvector-set! r (fx+ (HERE) k) (flvector-ref looks (fx+ at k)))
+        (copy (fx+ k 1))))
+    (when texture!
+      (texture! r i)
+      (let ([place (fx+ (HERE) (vector-ref texture-places (fxvector-ref i hit-material)))])
+        (Float3-put! r place
+                     (Float3-scale-by-vector (Float3-in r place) (Float3-in r surface-color)))))
     (Float3-put! r bsdf-weight (Float3 0.0 0.0 0.0)) ; irradiance times cosines
     (Float3-put! r throughput (Float3 0.0 0.0 0.0)) ; in highlights
     (let each ([k : Fixnum 0])
       (when (fx< k (vector-length kernels))
         ((LightKernel-sample (vector-ref kernels k)) r i)
-        (add-light! r toon? (flvector-ref looks (fx+ at (shininess-place))))
+        (add-light! r toon? (flvector-ref r (fx+ (HERE) (shininess-place))))
         (each (fx+ k 1))))
     (let each ([k : Fixnum 0])
       (when (fx< k (vector-length area-lights))
         (sample-area-light! r (vector-ref area-lights k))
-        (add-light! r toon? (flvector-ref looks (fx+ at (shininess-place))))
+        (add-light! r toon? (flvector-ref r (fx+ (HERE) (shininess-place))))
         (each (fx+ k 1))))
     (let ([front? (or (fx= 0 (fxvector-ref i surface-inside))
-                      (fl= 1.0 (flvector-ref looks (fx+ at (two-sided-place)))))]
-          [coat (flvector-ref looks (fx+ at (coat-place)))])
+                      (fl= 1.0 (flvector-ref r (fx+ (HERE) (two-sided-place)))))]
+          [coat (flvector-ref r (fx+ (HERE) (coat-place)))])
       (let-float3 ([n (Float3-in r surface-shading-normal)]
                    [view (Float3-in r out-direction)])
         (let* ([cosine (flabs (Float3-dot n view))]
@@ -282,22 +344,22 @@
                             0.0)]
                [around (fl+ (fl- 1.0 headlight) (fl* headlight cosine))])
           (let-float3 ([body (Float3-scale-by-vector
-                              (Float3-scale-by-scalar (Float3-in looks at) (fl- 1.0 fresnel))
+                              (Float3-scale-by-scalar (Float3-in r (HERE)) (fl- 1.0 fresnel))
                               (Float3-multiply-add
                                (Float3-scale-by-scalar
                                 (Float3-multiply-add ambient (Float3-y n) ambient-slope) around)
                                share (Float3-in r bsdf-weight)))]
-                       [highlight (Float3-scale-by-vector (Float3-in looks (fx+ at (highlight-place)))
+                       [highlight (Float3-scale-by-vector (Float3-in r (fx+ (HERE) (highlight-place)))
                                                           (Float3-in r throughput))]
-                       [emission (Float3-scale-by-scalar (Float3-in looks (fx+ at (emission-place)))
+                       [emission (Float3-scale-by-scalar (Float3-in r (fx+ (HERE) (emission-place)))
                                                          (if front? 1.0 0.0))])
             (Float3-put! r radiance
                          (Float3-add emission (Float3-add body highlight)))
-            (let-float3 ([mirror (Float3-add (Float3-in looks (fx+ at (mirror-place)))
+            (let-float3 ([mirror (Float3-add (Float3-in r (fx+ (HERE) (mirror-place)))
                                              (Float3 fresnel fresnel fresnel))])
               (Float3-put! r light-radiance mirror))
             (flvector-set! r light-density
-                           (fl* (fl- 1.0 fresnel) (flvector-ref looks (fx+ at (clear-place)))))))))
+                           (fl* (fl- 1.0 fresnel) (flvector-ref r (fx+ (HERE) (clear-place)))))))))
     (when (fl> (Float3-largest-component (Float3-in r light-radiance)) 0.0)
       (let-float3 ([view (Float3-in r out-direction)])
         (Float3-put! r ray-direction (Float3-reflect view (Float3-in r surface-shading-normal))))
@@ -313,6 +375,10 @@
       (Float3-put! r radiance
                    (Float3-multiply-add (Float3-in r radiance) (flvector-ref r light-density)
                                         (Float3-add room (Float3-in r surface-color)))))))
+
+;; The look of the surface that is being shaded, textures included: far up the stack, where no kernel
+;; comes.
+(define-syntax-rule (HERE) (fx+ flonum-stack 970))
 
 (define-syntax-rule (fifth x) (let* ([y x] [z (fl* y y)]) (fl* y (fl* z z))))
 

@@ -34,8 +34,10 @@
 
 ;; mesh: triangles in a space of their own, which transform takes to the world; #f for what is cast
 ;; by its kernel, in the world's space. plane: where the kernel is an infinite plane's, a point
-;; of it and its normal. material: its number.
-(struct Piece ([mesh : (U #f Tessellation)] [transform : Transform] [kernel : (U #f ShapeKernel)]
+;; of it and its normal. material: its number. frame: where the mesh is made in another space than
+;; the shape, the way there.
+(struct Piece ([mesh : (U #f Tessellation)] [transform : Transform] [frame : (U #f Transform)]
+               [kernel : (U #f ShapeKernel)]
                [plane : (U #f (Pairof Float3 Float3))] [material : Fixnum]))
 
 ;; world-pieces : the pieces of shapes as a view needs them, and the materials by number. tolerance:
@@ -59,9 +61,14 @@
   (define known : (HashTable Any Tessellation) (make-hash))
   (define found : (Listof Piece) '())
 
-  (: add-mesh! (-> Tessellation Transform Material Void))
-  (define (add-mesh! mesh transform material)
-    (set! found (cons (Piece mesh transform #f #f (number material)) found)))
+  (: add-mesh! (->* (Tessellation Transform Material) ((U #f Transform)) Void))
+  (define (add-mesh! mesh transform material [frame #f])
+    (define whole
+      (cond
+        [(not frame) transform]
+        [(eq? transform identity) frame]
+        [else (Transform-compose transform frame)]))
+    (set! found (cons (Piece mesh whole frame #f #f (number material)) found)))
 
   (: add-cast! (-> Shape Transform (U #f Material) (U #f (Pairof Float3 Float3)) Void))
   (define (add-cast! shape transform material plane)
@@ -73,7 +80,7 @@
     (cond
       [(not wires?)
        (set! found
-             (cons (Piece #f identity kernel plane (number (or material (Shape-material shape))))
+             (cons (Piece #f identity #f kernel plane (number (or material (Shape-material shape))))
                    found))]
       [(finite? box)
        (add-mesh! (hash-ref! known 'box unit-box)
@@ -97,8 +104,7 @@
       [(and (fx< columns MOST-SEGMENTS) (fx< rows MOST-SEGMENTS)
             (fl<= (fx->fl (count columns rows)) most))
        (add-mesh! (hash-ref! known (list key columns rows) (lambda () (make columns rows)))
-                  (if (eq? transform identity) frame (Transform-compose transform frame))
-                  (or material (Shape-material shape)))]
+                  transform (or material (Shape-material shape)) frame)]
       [else (add-cast! shape transform material #f)]))
 
   (: add! (-> Shape Transform (U #f Material) Void))
@@ -130,8 +136,8 @@
                   transform (or material (Quad-material shape)))]
       [(Box? shape)
        (add-mesh! (hash-ref! known 'box unit-box)
-                  (inner (box-transform (Box-low shape) (Box-high shape)))
-                  (or material (Box-material shape)))]
+                  transform (or material (Box-material shape))
+                  (box-transform (Box-low shape) (Box-high shape)))]
       [(Sphere? shape)
        (define radius (Sphere-radius shape))
        (define center (Sphere-point shape))
@@ -186,7 +192,7 @@
   (define drawn
     (if (or (View-linear? view) (null? shapes))
         pieces
-        (vector (Piece #f identity (compile (make-Group shapes)) #f
+        (vector (Piece #f identity #f (compile (make-Group shapes)) #f
                        (number (Shape-material (car shapes)))))))
   (values pieces (list->vector (reverse materials)) drawn))
 
