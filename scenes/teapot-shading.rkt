@@ -18,7 +18,7 @@
          #:ambient-color (Float3 0.16 0.17 0.2)))
 
 (define camera
-  (Camera-look-at (Float3 0 5.5 11) (Float3 0 1.45 0) #:vertical-field-of-view-degrees 32))
+  (Camera-look-at (Float3 0 5.5 11) (Float3 0.2 1.45 0) #:vertical-field-of-view-degrees 34))
 
 (define settings
   (hash 'size '(1600 400) 'integrator 'raster 'shading '(flat gouraud phong toon) 'samples 8))
