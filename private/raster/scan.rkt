@@ -330,6 +330,11 @@
     ;; a sample on an edge is inside where the edge is a left one, or a level one at the top
     (define-syntax-rule (owned dx dy)
       (if (or (fx< dy 0) (and (fx= dy 0) (fx> dx 0))) 0 -1))
+    ;; steps to the right until an edge function is not negative; past the film where it never is
+    (define-syntax-rule (steps-to-enter e step)
+      (if (fx>= e 0)
+          0
+          (if (fx> step 0) (fxquotient (fx+ (fx- 0 e) (fx- step 1)) step) width)))
     (let each-sample ([sample : Fixnum 0])
       (when (fx<= sample last-index)
         (let* ([sx (fxvector-ref offsets (fx* 2 sample))]
@@ -349,24 +354,23 @@
                 (let* ([py (fx+ sy (fx* side y))]
                        [row-key (fl+ q0 (fl+ (fl* slope-x (fx->fl (fx- start-x x0)))
                                              (fl* slope-y (fx->fl (fx- py y0)))))])
-                  (let columns
-                    ([x : Fixnum first-x]
-                     [e0 : Fixnum (fx+ (owned dx01 dy01) (edge dx01 dy01 x0 y0 start-x py))]
-                     [e1 : Fixnum (fx+ (owned dx12 dy12) (edge dx12 dy12 x1 y1 start-x py))]
-                     [e2 : Fixnum (fx+ (owned dx20 dy20) (edge dx20 dy20 x2 y2 start-x py))]
-                     [entered? : Boolean #f])
-                    (when (fx<= x last-x)
-                      (cond
-                        [(fx>= (fxior e0 (fxior e1 e2)) 0)
-                         (let* ([at (fx+ sample (fx* samples (fx+ x (fx* y width))))]
-                                [plain (fl+ row-key (fl* step (fx->fl (fx- x first-x))))]
-                                [key (if (fl< plain low) low (if (fl> plain high) high plain))])
-                           (put-if-nearer! canvas-keys canvas-ids at key id))
-                         (columns (fx+ x 1) (fx- e0 (fx* dy01 side)) (fx- e1 (fx* dy12 side))
-                                  (fx- e2 (fx* dy20 side)) #t)]
-                        [entered? (void)]
-                        [else
-                         (columns (fx+ x 1) (fx- e0 (fx* dy01 side)) (fx- e1 (fx* dy12 side))
-                                  (fx- e2 (fx* dy20 side)) #f)]))))
+                  (let* ([s0 (fx* (fx- 0 dy01) side)]
+                         [s1 (fx* (fx- 0 dy12) side)]
+                         [s2 (fx* (fx- 0 dy20) side)]
+                         [a0 (fx+ (owned dx01 dy01) (edge dx01 dy01 x0 y0 start-x py))]
+                         [a1 (fx+ (owned dx12 dy12) (edge dx12 dy12 x1 y1 start-x py))]
+                         [a2 (fx+ (owned dx20 dy20) (edge dx20 dy20 x2 y2 start-x py))]
+                         [skip (fxmax3 (steps-to-enter a0 s0) (steps-to-enter a1 s1)
+                                       (steps-to-enter a2 s2))])
+                    (let columns ([x : Fixnum (fx+ first-x skip)]
+                                  [e0 : Fixnum (fx+ a0 (fx* skip s0))]
+                                  [e1 : Fixnum (fx+ a1 (fx* skip s1))]
+                                  [e2 : Fixnum (fx+ a2 (fx* skip s2))])
+                      (when (and (fx<= x last-x) (fx>= (fxior e0 (fxior e1 e2)) 0))
+                        (let* ([at (fx+ sample (fx* samples (fx+ x (fx* y width))))]
+                               [plain (fl+ row-key (fl* step (fx->fl (fx- x first-x))))]
+                               [key (if (fl< plain low) low (if (fl> plain high) high plain))])
+                          (put-if-nearer! canvas-keys canvas-ids at key id))
+                        (columns (fx+ x 1) (fx+ e0 s0) (fx+ e1 s1) (fx+ e2 s2))))))
                 (rows (fx+ y 1)))))
           (each-sample (fx+ sample 1)))))))
