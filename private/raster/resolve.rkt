@@ -26,7 +26,8 @@
   (define-values (r i) (make-scratch view))
   (define camera (View-camera view))
   (define cast-ray! (Camera-kernel camera (View-width view) (View-height view)))
-  (define background! (Background-kernel (World-background world)))
+  (define background (World-background world))
+  (define background! (Background-kernel background))
   (define plain-ground? (and (memq shading '(wireframe normals depth texture-coordinates)) #t))
   (define flat? (eq? shading 'flat))
   (define gouraud? (eq? shading 'gouraud))
@@ -223,6 +224,7 @@
     (flvector-set! r (DISTANCE) 0.0)
     (cond
       [plain-ground? (Float3-put! r radiance (Float3 0.0 0.0 0.0))]
+      [(Float3? background) (Float3-put! r radiance background)]
       [else
        (cast-ray! r i)
        (background! r i)
@@ -265,7 +267,7 @@
       (let each ([sample : Fixnum 0])
         (when (fx< sample samples)
           (define id (fxvector-ref ids (fx+ start sample)))
-          (unless (seen-before? ids id start sample)
+          (unless (and (fx> sample 0) (seen-before? ids id start sample))
             ;; all samples of the pixel that the same surface covers, and their middle
             (let count ([k : Fixnum sample] [n : Fixnum 0] [sx : Fixnum 0] [sy : Fixnum 0])
               (cond
