@@ -30,7 +30,8 @@
            "private/world/projection.rkt" "private/world/background.rkt"
            "private/world/world.rkt" "private/integrate/query.rkt"
            "private/sample/sampler.rkt" "private/render/render.rkt" "private/image/image.rkt"
-           "private/image/error.rkt" "private/image/write.rkt")
+           "private/image/error.rkt" "private/image/write.rkt" "private/raster/view.rkt"
+           "private/raster/raster.rkt")
           "private/surface.rkt"))
 
 (provide
@@ -124,11 +125,12 @@
  GradientSky GradientSky? GradientSky-bottom GradientSky-top
  daylight-sky daylight-sun EnvironmentMap EnvironmentMap? EnvironmentMap-image EnvironmentMap-rotation EnvironmentMap-scale
  Projection? Projection-perspective Projection-orthographic Projection-point Projection-unproject
- Projection-matrix-rows
+ Projection-matrix-rows Projection-clip-planes Projection-frustum-corners
+ Camera-project Camera-unproject Camera-view Camera-frustum Transform-viewport
  ;; worlds
  World World? World-shapes World-spheres World-lights World-sun World-background
  World-background-color World-medium World-nearest-hit World-occluded? World-ray-trace World-get-color-at
  World-get-ambient-percent WORLD-AMBIENT-SAMPLES WORLD-MAX-OCCLUSION-DISTANCE
  ;; pictures
- render sample-point Image? Image-width Image-height Image-pixels Image-pixel Image-write
+ render preview sample-point Image? Image-width Image-height Image-pixels Image-pixel Image-write
  Image-read Image-standard-error Image-relative-error Image-relative-error-uncertainty)

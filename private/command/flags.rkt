@@ -60,8 +60,15 @@
                     "name")]
      [("--integrator") ,(name-flag 'integrator)
                        (("What a pixel shows:"
-                         "auto, path, naive-path, seed, ambient-occlusion, normals or depth")
+                         "auto, path, naive-path, seed, ambient-occlusion, normals, depth or raster")
                         "name")]
+     [("--shading") ,(lambda (flag text)
+                       (define names (map string->symbol (regexp-split #rx"," text)))
+                       (cons 'shading (check-shading flag text names)))
+                    (("With --integrator raster: phong (the default), gouraud, flat, toon, wireframe,"
+                      "normals, depth or texture-coordinates; several, with commas between them,"
+                      "give as many pictures side by side")
+                     "name")]
      [("--max-depth") ,(count-flag 'max-depth check-max-depth)
                       ("Bounces of a path; by default the scene's, else without limit" "n")]
      [("--crop") ,(text-flag 'crop)

@@ -36,9 +36,9 @@
                                word name expected value))]))
 
 ;; settings: a hash with any of the keys 'size (list width height), 'samples, 'seed, 'integrator,
-;; 'max-depth.
+;; 'max-depth, 'shading.
 (define (check-settings word settings)
-  (define expected "a hash with keys among 'size, 'samples, 'seed, 'integrator and 'max-depth")
+  (define expected "a hash with keys among 'size, 'samples, 'seed, 'integrator, 'max-depth and 'shading")
   (unless (hash? settings)
     (raise-user-error (format "~a: expected `settings` to be ~a, found ~e" word expected settings)))
   (for ([(key value) (in-hash settings)])
@@ -49,6 +49,7 @@
       [(samples) (check-samples what given value)]
       [(seed) (check-seed what given value)]
       [(max-depth) (check-max-depth what given value)]
+      [(shading) (check-shading what given value)]
       [(integrator) (unless (symbol? value) (unexpected what given "a symbol"))]
       [else (unexpected (format "~a: settings" word) (format "~e" key) expected)]))
   settings)

@@ -31,10 +31,21 @@
   (define size (option 'size '(640 360)))
   ;; a goal that is asked for goes before the scene's samples; samples beside it are the most
   (define goal? (or (hash-has-key? options 'error) (hash-has-key? options 'seconds)))
-  (define samples (if goal? (hash-ref options 'samples #f) (option 'samples 16)))
+  (define integrator (named-option 'integrator 'auto INTEGRATORS))
+  (define raster? (eq? integrator 'raster))
+  (when (and raster? goal?)
+    (define key (if (hash-has-key? options 'error) 'error 'seconds))
+    (unexpected (format "--~a" key) (hash-ref options key)
+                "another integrator than raster, which has no noise to lower"))
+  (define shading (if raster? (option 'shading 'phong) 'phong))
+  ;; what a scene asks of another integrator says nothing about rasterization
+  (define samples
+    (cond
+      [(or goal? (and raster? (not (eq? 'raster (hash-ref settings 'integrator #f)))))
+       (hash-ref options 'samples #f)]
+      [else (option 'samples (if raster? 4 16))]))
   (define seed (option 'seed 0))
   (define crop (check-crop "--crop" (option 'crop #f) size))
-  (define integrator (named-option 'integrator 'auto INTEGRATORS))
   (define sampler (named-option 'sampler 'owen-sobol SAMPLERS))
   (define filter (named-option 'filter 'box FILTERS))
   (define schedule (named-option 'schedule 'futures SCHEDULES))
@@ -50,7 +61,7 @@
                               #:samples samples #:error (hash-ref options 'error #f)
                               #:seconds (hash-ref options 'seconds #f)
                               #:seed seed #:crop crop #:sampler sampler #:filter filter
-                              #:integrator integrator
+                              #:integrator integrator #:shading shading
                               #:max-depth (option 'max-depth #f)
                               #:schedule schedule #:workers workers #:tile (option 'tile 16)
                               #:watch watch))))))
@@ -65,5 +76,5 @@
   (unless quiet? (report-line report))
   (when (option 'stats #f)
     (report-table report)
-    (report-texts (scene-needs world camera integrator)))
+    (unless raster? (report-texts (scene-needs world camera integrator))))
   (when json (report-json report json)))

@@ -1,8 +1,10 @@
 #lang racket/base
 ;; What may be asked of a render, by a flag or by a scene's settings: each check returns the value
 ;; or raises one line that says what it was for, what was given and what is expected.
+(require (only-in "../integrate/integrators.rkt" SHADINGS))
+
 (provide check-size check-samples check-error check-seconds check-seed check-workers check-tile
-         check-max-depth check-crop check-name unexpected
+         check-max-depth check-crop check-name check-shading unexpected
          text->natural text->naturals text->positive text->part)
 
 (define LONGEST-SIDE 100000)
@@ -64,6 +66,13 @@
   (unless (memq name names)
     (unexpected what name (format "one of ~a" (names->text names))))
   name)
+
+;; names: a list of ways to shade, or one of them.
+(define (check-shading what given names)
+  (for ([name (if (pair? names) names (list names))])
+    (unless (memq name SHADINGS)
+      (unexpected what given (format "one or more of ~a" (names->text SHADINGS)))))
+  names)
 
 (define (names->text names)
   (apply string-append (symbol->string (car names))

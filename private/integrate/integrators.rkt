@@ -4,12 +4,18 @@
          "../material/material.rkt" "../material/phong.rkt" "../material/emitter.rkt"
          "../world/scene.rkt" "seed.rkt" "path.rkt" "views.rkt")
 
-(provide Integrator INTEGRATORS check-integrator World-integrator)
+(provide Integrator INTEGRATORS SHADINGS check-integrator World-integrator)
 
 ;; Takes the ray in a worker's scratch and leaves its colour in `radiance`.
 (define-type Integrator (-> FlVector FxVector Void))
 
-(define INTEGRATORS : (Listof Symbol) '(auto path naive-path seed ambient-occlusion normals depth))
+(define INTEGRATORS : (Listof Symbol)
+  '(auto path naive-path seed ambient-occlusion normals depth raster))
+
+;; How rasterization shades: normals of corners interpolated, or colours of corners, one colour a
+;; triangle, steps with an outline, edges only; and views of one thing each.
+(define SHADINGS : (Listof Symbol)
+  '(phong gouraud flat toon wireframe normals depth texture-coordinates))
 
 ;; Raises where there is no integrator of that name.
 (: check-integrator (-> Symbol Void))
@@ -26,9 +32,10 @@
                [primitive-lights (make-fxvector (fxvector-length (Scene-primitive-lights scene)) -1)]
                [background-light -1]))
 
-;; The named integrator for a world. 'auto is the article's shading where every surface is the
-;; article's and nothing fills the world, else the path integrator. 'naive-path is the estimator of
-;; the three books, for comparison. max-depth: bounces of a path, #f for no limit.
+;; The named integrator for a world; not 'raster, which draws whole pictures. 'auto is the article's
+;; shading where every surface is the article's and nothing fills the world, else the path integrator.
+;; 'naive-path is the estimator of the three books, for comparison. max-depth: bounces of a path, #f
+;; for no limit.
 (: World-integrator (->* (World Symbol) ((U #f Fixnum)) Integrator))
 (define (World-integrator world name [max-depth #f])
   (define scene (World-scene world))

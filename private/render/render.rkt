@@ -12,6 +12,10 @@
 (unsafe-require/typed "schedule/sequential.rkt" [run-sequential Schedule])
 (unsafe-require/typed "schedule/futures.rkt" [run-futures Schedule])
 (unsafe-require/typed "schedule/lazy.rkt" [run-places Schedule])
+(unsafe-require/typed "../raster/lazy.rkt"
+  [raster-image (-> World Camera Fixnum Fixnum Integer (U Symbol (Listof Symbol))
+                    (U #f (List Integer Integer Integer Integer))
+                    Image)])
 (unsafe-require/typed racket/future
   [processor-count (-> Positive-Fixnum)])
 (unsafe-require/typed racket/flonum
@@ -32,12 +36,15 @@
 ;; same seed gives the same picture, to the bit, whatever the schedule, workers and tile (but not with
 ;; #:seconds). #:max-depth bounces of a path, #f for no limit. #:schedule one of SCHEDULES. #:crop
 ;; (list x y width height) renders only that part.
+;; The integrator 'raster draws without rays, as preview does (see there), with #:samples, 4 unless said
+;; otherwise, and #:shading one of SHADINGS or a list of them; it has no #:error and takes no #:seconds.
 ;; Raises exn:fail:contract on numbers out of range.
 (: render (->* (World Camera)
                (#:width Integer #:height Integer #:samples (U #f Integer)
                 #:error (U #f Real) #:seconds (U #f Real) #:seed Integer
                 #:sampler Symbol #:filter Symbol #:integrator Symbol #:max-depth (U #f Integer)
                 #:schedule Symbol #:workers Integer #:tile Integer
+                #:shading (U Symbol (Listof Symbol))
                 #:crop (U #f (List Integer Integer Integer Integer)))
                Image))
 (define (render world camera #:width [width 640] #:height [height 360] #:samples [samples #f]
@@ -45,7 +52,8 @@
                 #:sampler [sampler 'owen-sobol] #:filter [filter 'box]
                 #:integrator [integrator 'auto]
                 #:max-depth [max-depth #f] #:schedule [schedule 'futures]
-                #:workers [workers (default-worker-count)] #:tile [tile 16] #:crop [crop #f])
+                #:workers [workers (default-worker-count)] #:tile [tile 16]
+                #:shading [shading 'phong] #:crop [crop #f])
   (define-values (image statistics)
     (render/statistics world camera #:width width #:height height #:samples samples
                        #:error error #:seconds seconds #:seed seed #:sampler sampler
@@ -61,6 +69,7 @@
          #:error (U #f Real) #:seconds (U #f Real) #:seed Integer
          #:sampler Symbol #:filter Symbol #:integrator Symbol #:max-depth (U #f Integer)
          #:schedule Symbol #:workers Integer #:tile Integer
+         #:shading (U Symbol (Listof Symbol))
          #:crop (U #f (List Integer Integer Integer Integer))
          #:watch (-> (-> Real) (-> Void)))
         (Values Image Statistics)))
@@ -70,9 +79,42 @@
                            #:integrator [integrator 'auto] #:max-depth [max-depth #f]
                            #:schedule [schedule 'futures]
                            #:workers [workers (default-worker-count)] #:tile [tile 16]
-                           #:crop [crop #f] #:watch [watch (lambda (done) void)])
+                           #:shading [shading 'phong] #:crop [crop #f] #:watch [watch (lambda (done) void)])
   (define columns (check-count 'render "width" width 1 100000))
   (define rows (check-count 'render "height" height 1 100000))
+  (if (eq? integrator 'raster)
+      (raster/statistics world camera columns rows samples error seconds shading crop)
+      (trace/statistics world camera columns rows samples error seconds seed sampler filter integrator
+                        max-depth schedule workers tile crop watch)))
+
+;; A picture without rays, and how long it took.
+(: raster/statistics (-> World Camera Fixnum Fixnum (U #f Integer) (U #f Real) (U #f Real)
+                         (U Symbol (Listof Symbol)) (U #f (List Integer Integer Integer Integer))
+                         (Values Image Statistics)))
+(define (raster/statistics world camera columns rows samples error seconds shading crop)
+  (define (no-goal [name : String] [value : (U #f Real)])
+    (when value
+      (raise-expected 'render name "#f for the integrator raster, which has no noise to lower," value)))
+  (no-goal "error" error)
+  (no-goal "seconds" seconds)
+  (define count (check-count 'render "samples" (or samples 4) 1 64))
+  (define start (current-inexact-milliseconds))
+  (define processor-start (current-process-milliseconds))
+  (define image (raster-image world camera columns rows count shading crop))
+  (define pixels (fx* (Image-width image) (Image-height image)))
+  (values
+   image
+   (Statistics pixels (fx* count pixels) 0 0 0 #f #f #f 1 'samples 0.0
+               (fl/ (fl- (current-inexact-milliseconds) start) 1000.0)
+               (fl/ (fx->fl (fx- (current-process-milliseconds) processor-start)) 1000.0))))
+
+(: trace/statistics
+   (-> World Camera Fixnum Fixnum (U #f Integer) (U #f Real) (U #f Real) Integer Symbol Symbol Symbol
+       (U #f Integer) Symbol Integer Integer (U #f (List Integer Integer Integer Integer))
+       (-> (-> Real) (-> Void))
+       (Values Image Statistics)))
+(define (trace/statistics world camera columns rows samples error seconds seed sampler filter
+                          integrator max-depth schedule workers tile crop watch)
   (define goal
     (Goal (check-count 'render "samples" (or samples (if (or error seconds) MOST-SAMPLES 16))
                        1 1000000000)
