@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The public names that are constructor, match pattern and type at once, for typed and untyped
 ;; code (see base/public.rkt).
-(require "base/public.rkt"
+(require "base/public.rkt" "arguments.rkt"
          (prefix-in struct: (combine-in (except-in "base/float3.rkt" Float3)
                                         (only-in "base/fuse.rkt" Float3)
                                         "material/phong.rkt" "material/emitter.rkt"

@@ -27,15 +27,19 @@
            (begin-for-syntax (define public-id #'public) (provide public-id))))]))
 
 ;; (define-surface Name (field ...)), in the untyped surface module, which requires the typed ones
-;; with the prefix struct: -- provides Name as typed code sees it, and the same for untyped code.
+;; with the prefix struct: -- provides Name as typed code sees it, and the same for untyped code, where
+;; that module's procedure check-arguments has put its checks in front of the constructor.
 (define-syntax (define-surface stx)
   (syntax-case stx ()
     [(_ name (field ...)) #'(define-surface name (field ...) #:struct (field ...))]
     [(_ name (field ...) #:struct (place ...))
      (with-syntax ([public-id (format-id #'name "struct:~a/public-id" #'name)]
-                   [make (format-id #'name "struct:make-~a" #'name)]
+                   [make (format-id #'name "checked-make-~a" #'name)]
+                   [typed-make (format-id #'name "struct:make-~a" #'name)]
+                   [check-arguments (format-id #'name "check-arguments")]
                    [struct-name (format-id #'name "struct:~a" #'name)])
        #'(begin
+           (define make (check-arguments 'name typed-make))
            (define-match-expander untyped-name
              (lambda (pattern)
                (syntax-case pattern () [(_ field ...) #'(struct-name place ...)]))

@@ -6,7 +6,8 @@
          "../image/write.rkt")
 
 (lazy-require ["studio.rkt" (load-studio)]
-              ["needs.rkt" (scene-needs)])
+              ["needs.rkt" (scene-needs)]
+              ["../image/edit.rkt" (Image-false-color)])
 
 (provide render-scene)
 
@@ -54,7 +55,10 @@
                               #:max-depth (option 'max-depth #f)
                               #:schedule schedule #:workers workers #:tile (option 'tile 16)
                               #:watch watch))))))
-  (Image-write image output)
+  (Image-write (if (and (memq integrator '(cost error)) (not (regexp-match? #rx"[.](?i:pfm|hdr)$" output)))
+                   (Image-false-color image)
+                   image)
+               output)
   (define report
     (render-report (hasheq 'scene word 'file output
                            'width (Image-width image) 'height (Image-height image)

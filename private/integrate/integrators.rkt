@@ -9,7 +9,7 @@
 ;; Takes the ray in a worker's scratch and leaves its colour in `radiance`.
 (define-type Integrator (-> FlVector FxVector Void))
 
-(define INTEGRATORS : (Listof Symbol) '(auto path seed ambient-occlusion normals depth))
+(define INTEGRATORS : (Listof Symbol) '(auto path seed ambient-occlusion normals depth cost error))
 
 ;; Raises where there is no integrator of that name.
 (: check-integrator (-> Symbol Void))
@@ -18,16 +18,18 @@
     (raise-expected 'render "integrator" (format "one of ~a" INTEGRATORS) name)))
 
 ;; The named integrator for a world. 'auto is the article's shading where every surface is the
-;; article's, else the path integrator. max-depth: bounces of a path, #f for no limit.
+;; article's, else the path integrator; 'cost and 'error show what the film knows of a render by it.
+;; max-depth: bounces of a path, #f for no limit.
 (: World-integrator (->* (World Symbol) ((U #f Fixnum)) Integrator))
 (define (World-integrator world name [max-depth #f])
   (define scene (World-scene world))
   (define shading (World-shading world))
   (case name
-    [(auto) (if (for/and : Boolean ([material (in-vector (Scene-materials scene))])
-                  (or (Phong? material) (Emitter? material)))
-                (seed-integrator scene shading)
-                (path-integrator scene (PathLimits max-depth)))]
+    [(auto cost error)
+     (if (for/and : Boolean ([material (in-vector (Scene-materials scene))])
+           (or (Phong? material) (Emitter? material)))
+         (seed-integrator scene shading)
+         (path-integrator scene (PathLimits max-depth)))]
     [(seed) (seed-integrator scene shading)]
     [(path) (path-integrator scene (PathLimits max-depth))]
     [(ambient-occlusion) (ambient-occlusion-view scene shading)]
