@@ -101,7 +101,9 @@
        (list (body-shape it) (box-middle (body-box it)) (body-box it)))))
   (for*/list ([place (in-list places)] [it (in-list bodies)]
               #:unless (eq? (body-shape it) (car place))
-              #:when (and (or (not (caddr place)) (box-holds-box? (body-box it) (caddr place)))
+              ;; a lamp inside a lamp is not missed
+              #:when (and (or (not (caddr place))
+                              (and (not (shines? it)) (box-holds-box? (body-box it) (caddr place))))
                           (inside? it (cadr place))
                           (opaque? it)
                           (not (inside? it eye))))
