@@ -30,7 +30,7 @@
            "private/world/world.rkt" "private/integrate/query.rkt"
            "private/sample/sampler.rkt" "private/render/render.rkt" "private/image/image.rkt"
            "private/image/error.rkt" "private/image/write.rkt"
-           "private/image/compare.rkt" "private/world/update.rkt" "private/explore.rkt")
+           "private/world/update.rkt" "private/explore.rkt")
           "private/surface.rkt"))
 
 (provide
@@ -133,7 +133,7 @@
  Image-crop Image-scale Image-exposed Image-tone Image-false-color Image-error-map
  Images-side-by-side Image-difference Image-compare Comparison? Comparison-rmse Comparison-rmse1
  Comparison-relative-mse Comparison-bias Comparison-psnr Comparison-worst-x Comparison-worst-y
- Comparison-worst-difference Image->flomap flomap->Image Image->bitmap Image->pict
+ Comparison-worst-difference Image->flomap flomap->Image Image->bitmap Image->pict show
  ;; worlds and cameras that differ a little
  World-add World-with-shapes World-with-lights World-with-background
  Camera-orbit Camera-dolly Camera-pan

@@ -28,7 +28,8 @@
 
 ;; (define-surface Name (field ...)), in the untyped surface module, which requires the typed ones
 ;; with the prefix struct: -- provides Name as typed code sees it, and the same for untyped code, where
-;; that module's procedure check-arguments has put its checks in front of the constructor.
+;; that module's procedure check-arguments has put its checks in front of the constructor. The latter is
+;; handed over in a thunk: a typed module makes its contracts when one is first referred to.
 (define-syntax (define-surface stx)
   (syntax-case stx ()
     [(_ name (field ...)) #'(define-surface name (field ...) #:struct (field ...))]
@@ -39,7 +40,7 @@
                    [check-arguments (format-id #'name "check-arguments")]
                    [struct-name (format-id #'name "struct:~a" #'name)])
        #'(begin
-           (define make (check-arguments 'name typed-make))
+           (define make (check-arguments 'name (lambda () typed-make)))
            (define-match-expander untyped-name
              (lambda (pattern)
                (syntax-case pattern () [(_ field ...) #'(struct-name place ...)]))

@@ -105,12 +105,12 @@
               (flvector-map (lambda (x) (tone (fl* factor x))) (Image-pixels image))))
 
 ;; Image-false-color : the luminance of every pixel as a colour: black for 0, pale yellow for #:scale
-;; or more, which is by default the largest finite one of the picture.
+;; or more, by default what 99 of 100 pixels do not exceed, so that a few bright ones hide nothing.
 (define (Image-false-color image #:scale [scale #f])
   (check-image 'Image-false-color image)
   (unless (or (not scale) (and (real? scale) (< 0 scale +inf.0)))
     (raise-argument-error 'Image-false-color "a positive finite scale" scale))
-  (define full (exact->inexact (or scale (largest-luminance image))))
+  (define full (exact->inexact (or scale (usual-luminance image))))
   (define pixels (make-flvector (flvector-length (Image-pixels image))))
   (for ([at (in-range 0 (flvector-length pixels) 3)])
     (define value (luminance-at image at))
@@ -124,11 +124,19 @@
   (define pixels (Image-pixels image))
   (luminance (flvector-ref pixels at) (flvector-ref pixels (+ at 1)) (flvector-ref pixels (+ at 2))))
 
-;; At least the least positive number.
-(define (largest-luminance image)
-  (for/fold ([largest 1e-300]) ([at (in-range 0 (flvector-length (Image-pixels image)) 3)])
-    (define value (luminance-at image at))
-    (if (< largest value +inf.0) value largest)))
+;; What 99 of 100 pixels do not exceed, or the largest where that is 0; positive and finite.
+(define (usual-luminance image)
+  (define sorted
+    (sort (for*/list ([at (in-range 0 (flvector-length (Image-pixels image)) 3)]
+                      [value (in-value (luminance-at image at))]
+                      #:when (< -inf.0 value +inf.0))
+            value)
+          <))
+  (define (place part) (list-ref sorted (- (exact-ceiling (* part (length sorted))) 1)))
+  (cond
+    [(null? sorted) 1.0]
+    [(> (place 99/100) 0.0) (place 99/100)]
+    [else (max 1e-300 (place 1))]))
 
 ;; Image-error-map : the standard error of every pixel, the root of the mean square of its channels,
 ;; as a grey. Raises exn:fail:contract where no errors are known.
