@@ -1,6 +1,6 @@
 #lang racket/base
-;; What the public constructors are called with by untyped code, looked at before types do: a wrong
-;; argument is told in one line that names the constructor, the argument and what was expected.
+;; What the public constructors take, and which of the arguments of a call that failed was wrong.
+;; Loaded when one has.
 (require racket/flonum racket/fixnum racket/list
          (only-in "base/float3.rkt" Float3?) (only-in "base/check.rkt" raise-expected)
          (only-in "base/transform.rkt" Transform?)
@@ -11,31 +11,30 @@
          (only-in "world/background.rkt" GradientSky?) (only-in "world/camera.rkt" Camera?)
          (only-in "image/image.rkt" Image?))
 
-(provide check-arguments constructor-signature constructor-names)
+(provide raise-wrong-argument constructor-signature constructor-names)
 
 (define (list-of right? v) (and (list? v) (andmap right? v)))
 
-;; The kinds of arguments: what is of the kind, and how it is called. Predicates of typed modules are
-;; not referred to before they are asked, for with the first a module makes all its contracts.
+;; The kinds of arguments: what is of the kind, and how it is called.
 (define kinds
   (hasheq
    'real (cons real? "a real number")
    'whole (cons exact-integer? "a whole number")
-   'vector (cons (lambda (v) (Float3? v)) "a Float3")
-   'color (cons (lambda (v) (Float3? v)) "a colour, a Float3,")
+   'vector (cons Float3? "a Float3")
+   'color (cons Float3? "a colour, a Float3,")
    'paint (cons (lambda (v) (or (Float3? v) (Texture? v))) "a colour or a texture")
    'share (cons (lambda (v) (or (real? v) (Texture? v))) "a real number or a texture")
    'mirror (cons (lambda (v) (or (real? v) (Float3? v))) "a real number or a colour")
    'surface (cons (lambda (v) (or (Material? v) (Float3? v))) "a material or a colour")
-   'material (cons (lambda (v) (Material? v)) "a material")
-   'shape (cons (lambda (v) (Shape? v)) "a shape")
+   'material (cons Material? "a material")
+   'shape (cons Shape? "a shape")
    'shapes (cons (lambda (v) (list-of Shape? v)) "a list of shapes")
    'lights (cons (lambda (v) (or (Light? v) (list-of Light? v))) "a light or a list of lights")
    'background (cons (lambda (v) (or (Float3? v) (GradientSky? v) (EnvironmentMap? v)))
                      "a colour, a GradientSky or an EnvironmentMap")
-   'transform (cons (lambda (v) (Transform? v)) "a Transform")
-   'camera (cons (lambda (v) (Camera? v)) "a Camera")
-   'image (cons (lambda (v) (Image? v)) "an Image")
+   'transform (cons Transform? "a Transform")
+   'camera (cons Camera? "a Camera")
+   'image (cons Image? "an Image")
    'flags (cons boolean? "#t or #f")
    'name (cons symbol? "a symbol")
    'fresnel (cons (lambda (v) (memq v '(exact schlick))) "'exact or 'schlick")
@@ -127,53 +126,23 @@
 ;; constructor-names : of all that are known here.
 (define (constructor-names) (sort (hash-keys signatures) symbol<?))
 
-;; check-arguments : the constructor that the thunk get returns with its checks in front, under its
-;; public name; without them where its arguments are not known here.
-(define (check-arguments name get)
+;; raise-wrong-argument : raises the one line where the arguments are too few or too many or one is of
+;; the wrong kind, and returns where none is, or where nothing is known of that constructor. values:
+;; of the keywords.
+(define (raise-wrong-argument name make arguments keywords values)
   (define signature (constructor-signature name))
-  (cond
-    [(not signature)
-     (procedure-rename
-      (make-keyword-procedure
-       (lambda (given values . arguments) (keyword-apply (get) given values arguments))
-       (lambda arguments (apply (get) arguments)))
-      name)]
-    [(eq? name 'Float3) (check-numbers get)]
-    [else
-     (define-values (keywords places)
-       (partition (lambda (argument) (keyword? (car argument))) signature))
-     (define (check-places arguments)
-       (unless (procedure-arity-includes? (get) (length arguments) #t)
-         (raise-arity name (get) places arguments))
-       (for ([value (in-list arguments)] [argument (in-list places)])
-         (check name argument value)))
-     (define (check-keyword keyword value)
-       (define argument (assq keyword keywords))
-       (unless argument
-         (raise-expected name "keyword" (keywords-text (map car keywords)) keyword))
-       (check name argument value))
-     (procedure-rename
-      (make-keyword-procedure
-       (lambda (given values . arguments)
-         (check-places arguments)
-         (for-each check-keyword given values)
-         (keyword-apply (get) given values arguments))
-       (lambda arguments
-         (check-places arguments)
-         (apply (get) arguments)))
-      name)]))
-
-(define (check-numbers get)
-  (define places (constructor-signature 'Float3))
-  (procedure-rename
-   (case-lambda
-     [(x y z)
-      (unless (and (real? x) (real? y) (real? z))
-        (for ([value (in-list (list x y z))] [argument (in-list places)])
-          (check 'Float3 argument value)))
-      ((get) x y z)]
-     [arguments (raise-arity 'Float3 (get) places arguments)])
-   'Float3))
+  (when signature
+    (define-values (known-keywords places)
+      (partition (lambda (argument) (keyword? (car argument))) signature))
+    (unless (procedure-arity-includes? make (length arguments) #t)
+      (raise-arity name make places arguments))
+    (for ([value (in-list arguments)] [argument (in-list places)])
+      (check name argument value))
+    (for ([keyword (in-list keywords)] [value (in-list values)])
+      (define argument (assq keyword known-keywords))
+      (unless argument
+        (raise-expected name "keyword" (keywords-text (map car known-keywords)) keyword))
+      (check name argument value))))
 
 (define (check name argument value)
   (define maybe? (eq? (cadr argument) 'maybe))

@@ -7,7 +7,8 @@
          Images-side-by-side Image->flomap flomap->Image Image->bitmap Image->pict
          Image-difference Image-compare Comparison? Comparison-rmse Comparison-rmse1
          Comparison-relative-mse Comparison-bias Comparison-psnr Comparison-worst-x
-         Comparison-worst-y Comparison-worst-difference show explain Explanation? Explanation-color Explanation-standard-error Explanation-rays
+         Comparison-worst-y Comparison-worst-difference
+         show explain Explanation? Explanation-color Explanation-standard-error Explanation-rays
          Explanation-sources Explanation-depths Explanation-paths World-problems)
 
 (lazy-require ["image/edit.rkt" (Image-crop Image-scale Image-exposed Image-tone

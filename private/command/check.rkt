@@ -13,7 +13,8 @@
   (define word (parse-words program words flags '("scene") (lambda (settings scene) scene)))
   (define-values (world camera settings) (load-scene word (find-scene word)))
   (define problems
-    (with-handlers ([exn:fail? (lambda (e) (raise-user-error (format "~a: ~a" word (exn-message e))))])
+    (with-handlers ([exn:fail? (lambda (e)
+                                 (raise-user-error (format "~a: ~a" word (exn-message e))))])
       (World-problems world camera
                       #:integrator (hash-ref settings 'integrator 'auto)
                       #:max-depth (hash-ref settings 'max-depth #f)

@@ -38,7 +38,8 @@
                  (lambda (settings scene) (values (make-immutable-hasheq settings) scene))))
   (define pixel-text
     (hash-ref options 'pixel
-              (lambda () (raise-user-error "--pixel: expected the pixel to explain, as in --pixel 200,100"))))
+              (lambda ()
+                (raise-user-error "--pixel: expected the pixel to explain, as in --pixel 200,100"))))
   (define-values (world camera settings) (load-scene word (find-scene word)))
   (define (option key default)
     (hash-ref options key (lambda () (hash-ref settings key default))))
@@ -49,7 +50,8 @@
     (unexpected "--pixel" pixel-text
                 (format "X,Y, two whole numbers that tell a pixel of ~ax~a" (car size) (cadr size))))
   (define explanation
-    (with-handlers ([exn:fail? (lambda (e) (raise-user-error (format "~a: ~a" word (exn-message e))))])
+    (with-handlers ([exn:fail? (lambda (e)
+                                 (raise-user-error (format "~a: ~a" word (exn-message e))))])
       (explain world camera (car pixel) (cadr pixel) #:width (car size) #:height (cadr size)
                #:samples (option 'samples 16) #:seed (option 'seed 0)
                #:sampler (option 'sampler 'owen-sobol) #:filter (option 'filter 'box)

@@ -1,5 +1,6 @@
 #lang racket/base
-;; Flomaps from pixels and back. Loading their library is slow, so only a lazy-require names this file.
+;; Flomaps from pixels and back. Loading their library is slow, so only a lazy-require names this
+;; file.
 (provide pixels->flomap flomap->pixels)
 (require racket/flonum images/flomap)
 
