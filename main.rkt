@@ -18,6 +18,7 @@
            "private/material/dielectric.rkt" "private/material/plastic.rkt"
            "private/material/modified-phong.rkt" "private/material/mix.rkt"
            "private/material/rough-conductor.rkt" "private/material/rough-dielectric.rkt"
+           "private/material/interior.rkt" "private/medium/medium.rkt"
            "private/material/texture/texture.rkt" "private/material/texture/checker.rkt"
            "private/material/texture/image.rkt" "private/material/texture/noise.rkt"
            "private/material/texture/noises.rkt" "private/material/texture/gradient.rkt"
@@ -102,6 +103,8 @@
  RoughConductor-k gold copper silver aluminium
  RoughDielectric RoughDielectric? RoughDielectric-ior RoughDielectric-roughness
  RoughDielectric-absorption RoughDielectric-outside-ior
+ Medium Medium? Medium-extinction Medium-albedo Medium-anisotropy Medium-density Medium-majorant
+ Interior Interior? Interior-medium Interior-surface
  ;; textures
  Texture? Checker Checker? Checker-even Checker-odd Checker-size
  CheckerUV CheckerUV? CheckerUV-even CheckerUV-odd CheckerUV-columns CheckerUV-rows
@@ -125,7 +128,7 @@
  Projection-matrix-rows
  ;; worlds
  World World? World-shapes World-spheres World-lights World-sun World-background
- World-background-color World-nearest-hit World-occluded? World-ray-trace World-get-color-at
+ World-background-color World-medium World-nearest-hit World-occluded? World-ray-trace World-get-color-at
  World-get-ambient-percent WORLD-AMBIENT-SAMPLES WORLD-MAX-OCCLUSION-DISTANCE
  ;; pictures
  render sample-point Image? Image-width Image-height Image-pixels Image-pixel Image-write

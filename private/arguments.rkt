@@ -9,7 +9,7 @@
          (only-in "shape/shape.rkt" Shape?) (only-in "light/light.rkt" Light?)
          (only-in "light/environment.rkt" EnvironmentMap?)
          (only-in "world/background.rkt" GradientSky?) (only-in "world/camera.rkt" Camera?)
-         (only-in "image/image.rkt" Image?))
+         (only-in "medium/medium.rkt" Medium?) (only-in "image/image.rkt" Image?))
 
 (provide raise-wrong-argument constructor-signature constructor-names)
 
@@ -34,6 +34,7 @@
                      "a colour, a GradientSky or an EnvironmentMap")
    'transform (cons Transform? "a Transform")
    'camera (cons Camera? "a Camera")
+   'medium (cons Medium? "a Medium")
    'image (cons Image? "an Image")
    'flags (cons boolean? "#t or #f")
    'name (cons symbol? "a symbol")
@@ -112,10 +113,13 @@
                       (#:start maybe vector) (#:end maybe vector))
    'UVTexture '()
    'FunctionTexture '((function procedure))
+   'Medium '((extinction mirror) (albedo color) (anisotropy real) (density maybe procedure)
+             (majorant real) (#:anisotropy real) (#:density maybe procedure) (#:majorant real))
+   'Interior '((medium medium) (surface maybe material) (#:surface maybe material))
    'GradientSky '((bottom color) (top color))
    'EnvironmentMap '((image image) (#:rotation-degrees real) (#:scale real))
    'World '((shapes shapes) (lights lights) (background background) (#:shapes shapes)
-            (#:lights lights) (#:background background) (#:ambient-color maybe color)
+            (#:lights lights) (#:background background) (#:medium maybe medium) (#:ambient-color maybe color)
             (#:ambient-samples whole) (#:max-occlusion-distance real) (#:ambient-weighting name)
             (#:occlusion-falloff name) (#:shadow-samples whole) (#:mirror-bounces whole))))
 

@@ -9,7 +9,8 @@
                                         "material/metal.rkt" "material/dielectric.rkt"
                                         "material/plastic.rkt" "material/modified-phong.rkt"
                                         "material/mix.rkt" "material/rough-conductor.rkt"
-                                        "material/rough-dielectric.rkt"
+                                        "material/rough-dielectric.rkt" "material/interior.rkt"
+                                        "medium/medium.rkt"
                                         "material/texture/checker.rkt"
                                         "material/texture/image.rkt"
                                         "material/texture/noises.rkt"
@@ -22,7 +23,8 @@
                                         "shape/mesh.rkt" "shape/group.rkt" "shape/instance.rkt"
                                         "shape/moving.rkt" "shape/solid.rkt"
                                         "shape/distance.rkt" "shape/custom.rkt"
-                                        "light/environment.rkt" "light/distant.rkt" "light/point.rkt" "light/spot.rkt"
+                                        "light/environment.rkt" "light/distant.rkt"
+                                        "light/point.rkt" "light/spot.rkt"
                                         "world/ray.rkt" "world/camera.rkt"
                                         "world/background.rkt" "world/world.rkt"))
          (for-syntax racket/base))
@@ -65,6 +67,8 @@
 (define-surface Mix (first second weight))
 (define-surface RoughConductor (roughness color eta k))
 (define-surface RoughDielectric (ior roughness absorption outside-ior))
+(define-surface Medium (extinction albedo anisotropy density majorant))
+(define-surface Interior (medium surface))
 (define-surface Checker (even odd size))
 (define-surface CheckerUV (even odd columns rows))
 (define-surface ImageTexture (image filter wrap))
@@ -76,4 +80,4 @@
 (define-surface FunctionTexture (function))
 (define-surface GradientSky (bottom top))
 (define-surface EnvironmentMap (image) #:struct (image _ _))
-(define-surface World (shapes lights background) #:struct (shapes lights background _ _))
+(define-surface World (shapes lights background) #:struct (shapes lights background _ _ _))

@@ -71,12 +71,15 @@
      'GradientTexture (list (GradientTexture red dark)
                             (GradientTexture red dark #:start p #:end q))
      'UVTexture (list (UVTexture))
+     'Medium (list (Medium 0.4 red) (Medium dark red #:anisotropy 0.6))
+     'Interior (list (Interior (Medium 0.4 red)) (Interior (Medium 1 red) (Dielectric 1.5)))
      'GradientSky (list (GradientSky red dark))
      'World (list (World) (World (list ball mesh) (DistantLight slanted red) dark)
                   (World (list ball) '() (GradientSky red dark) #:ambient-color red
                          #:ambient-samples 4 #:max-occlusion-distance +inf.0
                          #:ambient-weighting 'cosine #:occlusion-falloff 'binary
-                         #:shadow-samples 3 #:mirror-bounces 2))))
+                         #:shadow-samples 3 #:mirror-bounces 2)
+                  (World (list ball) #:medium (Medium 0.01 red)))))
 
   ;; What holds a procedure or a picture prints that part as what it is.
   (define unreadable '(DistanceShape CustomShape FunctionTexture ImageTexture EnvironmentMap))
@@ -149,6 +152,7 @@
                   [(edge-u b) (Float3 1 0 0)] [(edge-v c) (Float3 0 1 0)]
                   [else (Float3 1 2 3)])]
       [(color paint surface) dark] [(material) (Mirror)] [(shape) ball] [(shapes) (list ball)]
+      [(medium) (Medium 0.4 red)]
       [(lights) '()] [(background) dark] [(transform) turn] [(camera) (Camera-look-at p q)]
       [(image) (image 0.5)]
       [(procedure) (lambda (x y z) 1.0)]

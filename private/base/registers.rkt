@@ -43,6 +43,19 @@
   [light-direction 3] [light-distance 1] [light-radiance 3] [light-density 1]
   ;; the path so far
   [throughput 3] [radiance 3] [ambient-percent 1] [previous-density 1] [relative-index 1]
+  ;; participating media: the way since the last vertex through boundaries that are not seen; the
+  ;; sums of extinction and scattering where the ray is; the densities of the media there; what is
+  ;; left of a shadow ray's light
+  [travelled 1] [extinction 3] [scattering 3] [medium-densities 8] [transmittance 3]
+  ;; the segment of the ray that a medium is sampled along: origin, unit direction, length; the
+  ;; density with which the distance was chosen, and the distance; another way's density over it
+  [segment-origin 3] [segment-direction 3] [segment-length 1] [segment-density 1] [segment-t 1]
+  [distance-ratio 1]
+  ;; the last vertex while boundaries are crossed; the places from ray-origin to surface-error while
+  ;; shadow rays and lit points of a segment are looked at; the segment then, and the one before
+  ;; the last vertex; the origin and time of known-media
+  [kept-vertex 7] [kept-for-shadow 26] [kept-light-limit 1]
+  [kept-for-segment 26] [kept-segment 9] [last-segment 9] [known-origin 4]
   ;; the numbers the sampler delivers, and the pixel position of this sample
   [sample-u 1] [sample-v 1] [film-x 1] [film-y 1]
   ;; an orthonormal frame, and room a kernel may use between two calls
@@ -64,6 +77,11 @@
   [accept-ties 1]
   ;; nesting: level of instances entered, first free place of the traversal stack
   [nest-level 1] [stack-base 1]
+  ;; the media around the ray: how many, and their numbers; the same for a shadow ray, and where the
+  ;; camera's rays start (-1 while unknown); the places from hit-primitive to
+  ;; surface-inside while other rays are traced
+  [media-count 1] [media 8] [shadow-media-count 1] [shadow-media 8]
+  [known-media-count 1] [known-media 8] [kept-hit-for-shadow 11] [kept-hit-for-segment 11]
   ;; the sampler: its number and the size of its grid; hash of (pixel, seed), sample index, next
   ;; dimension; a fold over many samples
   [sampler-kind 1] [sampler-count 1] [sampler-key 1] [sampler-index 1] [sampler-dimension 1]
@@ -85,4 +103,5 @@
   (define registers (make-fxvector fixnum-count 0))
   (fxvector-set! registers hit-primitive -1)
   (fxvector-set! registers ignored-primitive -1)
+  (fxvector-set! registers known-media-count -1)
   registers)

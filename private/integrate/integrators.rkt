@@ -18,20 +18,22 @@
     (raise-expected 'render "integrator" (format "one of ~a" INTEGRATORS) name)))
 
 ;; The named integrator for a world. 'auto is the article's shading where every surface is the
-;; article's, else the path integrator; 'cost and 'error show what the film knows of a render by it.
-;; max-depth: bounces of a path, #f for no limit.
+;; article's and nothing fills the world, else the path integrator; 'cost and 'error show what the film
+;; knows of a render by it. max-depth: bounces of a path, #f for no limit.
 (: World-integrator (->* (World Symbol) ((U #f Fixnum)) Integrator))
 (define (World-integrator world name [max-depth #f])
   (define scene (World-scene world))
   (define shading (World-shading world))
+  (define (path) (path-integrator scene (PathLimits max-depth) (World-medium world)))
   (case name
     [(auto cost error)
-     (if (for/and : Boolean ([material (in-vector (Scene-materials scene))])
-           (or (Phong? material) (Emitter? material)))
+     (if (and (not (World-medium world))
+              (for/and : Boolean ([material (in-vector (Scene-materials scene))])
+                (or (Phong? material) (Emitter? material))))
          (seed-integrator scene shading)
-         (path-integrator scene (PathLimits max-depth)))]
+         (path))]
     [(seed) (seed-integrator scene shading)]
-    [(path) (path-integrator scene (PathLimits max-depth))]
+    [(path) (path)]
     [(ambient-occlusion) (ambient-occlusion-view scene shading)]
     [(normals) (normals-view scene)]
     [(depth) (depth-view scene)]

@@ -31,6 +31,7 @@
 (define (World-observed world see)
   (define scene (World-scene world))
   (World (World-shapes world) (World-lights world) (World-background world) (World-shading world)
+         (World-medium world)
          (delay (observed scene (list->vector (World-shapes world)) see))))
 
 (: observed (-> Scene (Vectorof Shape) See Scene))

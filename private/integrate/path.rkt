@@ -7,8 +7,9 @@
          "../sample/sampler.rkt"
          "../material/material.rkt" "../material/kernel.rkt"
          "../light/light.rkt" "../light/choice.rkt"
+         "../medium/medium.rkt" "../medium/media.rkt"
          "../world/scene.rkt" "../world/trace.rkt"
-         "emission.rkt")
+         "emission.rkt" "media.rkt" "single-scattering.rkt")
 
 (provide path-integrator PathLimits (struct-out PathLimits))
 
@@ -26,9 +27,11 @@
 (define-syntax-rule (ROULETTE-DEPTH) 3)
 (define-syntax-rule (MORTAL-DEPTH) 32)
 
-;; A procedure that takes the ray in the scratch and leaves one sample of its radiance there.
-(: path-integrator (-> Scene PathLimits (-> FlVector FxVector Void)))
-(define (path-integrator scene limits)
+;; A procedure that takes the ray in the scratch and leaves one sample of its radiance there. medium:
+;; what the world is filled with, #f for nothing.
+(: path-integrator (-> Scene PathLimits (U #f Medium) (-> FlVector FxVector Void)))
+(define (path-integrator scene limits medium)
+  (define media (path-media scene medium))
   (define kernels (force (Scene-material-kernels scene)))
   (define add-emission! (emission-kernel scene))
   (define background (Scene-background scene))
@@ -40,14 +43,21 @@
     (Float3-put! r radiance (Float3 0.0 0.0 0.0))
     (Float3-put! r throughput (Float3 1.0 1.0 1.0))
     (flvector-set! r previous-density +inf.0)
+    (when media (start-in-media! (PathMedia-media media) scene r i))
     ;; transmitting?: whether the last vertex sends light through
     (let vertex ([depth : Fixnum 0] [transmitting? : Boolean #f])
       (flvector-set! r ray-limit +inf.0)
+      (define met
+        (cond
+          [media (travel-on! media scene (fx< depth max-depth) depth r i)]
+          [(Scene-nearest! scene r i) (SURFACE)]
+          [else (NOTHING)]))
       (cond
-        [(Scene-nearest! scene r i)
-         (when add-emission! (put-emission-weight! scene lights transmitting? r i))
+        [(fx= met (SURFACE))
+         (when add-emission! (put-emission-weight! scene lights media transmitting? r i))
          (Scene-surface! scene r i)
          (when add-emission! (add-emission! r i))
+         (when media (forget-segment! r))
          (when (fx< depth max-depth)
            (let ([kernel (vector-ref kernels (fxvector-ref i hit-material))])
              (fxvector-set! i sampler-dimension
@@ -58,20 +68,35 @@
                  (prepare r i)))
              (face-ray! r i)
              (when (and lights? (not (MaterialKernel-specular? kernel)))
-               (add-direct-light! scene lights kernel r i))
+               (add-direct-light! scene lights media kernel r i))
              ((MaterialKernel-sample kernel) r i)
+             (when media (cross-surface! (PathMedia-media media) media-count r i))
              (when (and (scatter! r) (survives-roulette? depth r i))
                (vertex (fx+ depth 1) (MaterialKernel-transmits? kernel)))))]
-        [else
+        [(fx= met (NOTHING))
          (background r i)
          (cond
            [(fx< background-light 0) (flvector-set! r light-density 1.0)]
-           [else (put-light-weight! scene lights background-light transmitting? r i)])
+           [else (put-light-weight! scene lights media background-light transmitting? r i)])
          (Float3-put! r radiance
                       (Float3-multiply-add (Float3-in r radiance)
                                            (flvector-ref r light-density)
                                            (Float3-scale-by-vector (Float3-in r throughput)
-                                                                   (Float3-in r surface-color))))]))))
+                                                                   (Float3-in r surface-color))))]
+        [(and media (fx< depth max-depth))
+         (let ([kernel (PathMedia-phase media)])
+           (fxvector-set! i sampler-dimension
+                          (fx+ (FIRST-DIMENSION) (fx* depth (DIMENSIONS-A-VERTEX))))
+           (when lights? (add-direct-light! scene lights media kernel r i))
+           ((MaterialKernel-sample kernel) r i)
+           (when (and (scatter! r) (survives-roulette? depth r i))
+             (vertex (fx+ depth 1) #t)))]))))
+
+;; From the ray in the scratch to what it comes to; light is gathered on the way if another bounce is
+;; allowed.
+(: travel-on! (-> PathMedia Scene Boolean Fixnum FlVector FxVector Fixnum))
+(define (travel-on! media scene bounces? depth r i)
+  (travel! (PathMedia-media media) scene (and bounces? (PathMedia-add-lit! media)) depth r i))
 
 ;; The power heuristic with exponent 2: the weight of a sample of density `own`.
 (define-syntax-rule (power-heuristic own other)
@@ -80,24 +105,27 @@
 
 ;; Before the new surface replaces the last one: the weight of light found by scattering, given
 ;; that the last vertex could have sampled the light that was hit. Left in light-density.
-(: put-emission-weight! (-> Scene (Vectorof LightKernel) Boolean FlVector FxVector Void))
-(define (put-emission-weight! scene lights transmitting? r i)
+(: put-emission-weight! (-> Scene (Vectorof LightKernel) (U #f PathMedia) Boolean FlVector FxVector
+                            Void))
+(define (put-emission-weight! scene lights media transmitting? r i)
   (define known (fxvector-ref (Scene-primitive-lights scene) (fxvector-ref i hit-primitive)))
   ;; below -1: one of a composite's parts
   (define light
     (if (fx< known -1) ((vector-ref (Scene-part-lights scene) (fx- -2 known)) i) known))
   (if (fx< light 0)
       (flvector-set! r light-density 1.0)
-      (put-light-weight! scene lights light transmitting? r i)))
+      (put-light-weight! scene lights media light transmitting? r i)))
 
 ;; The same for a light of that number.
-(: put-light-weight! (-> Scene (Vectorof LightKernel) Fixnum Boolean FlVector FxVector Void))
-(define (put-light-weight! scene lights light transmitting? r i)
+(: put-light-weight! (-> Scene (Vectorof LightKernel) (U #f PathMedia) Fixnum Boolean
+                         FlVector FxVector Void))
+(define (put-light-weight! scene lights media light transmitting? r i)
   (cond
     [(fl= (flvector-ref r previous-density) +inf.0) (flvector-set! r light-density 1.0)]
     [else
      ((LightKernel-density (vector-ref lights light)) r i)
      (put-light-probability! (Scene-light-choice scene) light transmitting? r)
+     (when media (compete-as-hit! scene (PathMedia-pivots media) light r))
      (let ([own (flvector-ref r previous-density)]
            [other (fl* (flvector-ref r light-density) (flvector-ref r (light-probability)))])
        (flvector-set! r light-density (power-heuristic own other)))]))
@@ -115,8 +143,9 @@
       [else (fxvector-set! i surface-inside 0)])))
 
 ;; Next-event estimation: one light, one point on it, one shadow ray if anything could arrive.
-(: add-direct-light! (-> Scene (Vectorof LightKernel) MaterialKernel FlVector FxVector Void))
-(define (add-direct-light! scene lights kernel r i)
+(: add-direct-light! (-> Scene (Vectorof LightKernel) (U #f PathMedia) MaterialKernel
+                         FlVector FxVector Void))
+(define (add-direct-light! scene lights media kernel r i)
   (define count (vector-length lights))
   (define number
     (cond
@@ -135,10 +164,13 @@
               (MaterialKernel-transmits? kernel))
       ((MaterialKernel-evaluate kernel) r i)
       (when (fl> (Float3-largest-component (Float3-in r bsdf-weight)) 0.0)
+        (when media (compete-as-sample! scene (PathMedia-pivots media) number r))
         (put-ray-along-in-direction! r)
         (flvector-set! r ray-limit (fl* (flvector-ref r light-distance) 0.9999999999990905))
         (fxvector-set! i ignored-primitive (LightKernel-primitive light))
-        (let ([dark? (Scene-occluded? scene r i)])
+        (let ([dark? (if media
+                         (not (light-left? (PathMedia-media media) scene r i))
+                         (Scene-occluded? scene r i))])
           (fxvector-set! i ignored-primitive -1)
           (unless dark? (add-light-sample! r)))))))
 

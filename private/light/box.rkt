@@ -60,7 +60,7 @@
   (: density (-> FlVector FxVector Void))
   (define (density r i)
     (let-seen-areas (low-x high-x low-y high-y low-z high-z area) r
-      (let* ([distance (flvector-ref r hit-t)]
+      (let* ([distance (fl+ (flvector-ref r travelled) (flvector-ref r hit-t))]
              [axis (fxrshift (fl->fx (flvector-ref r hit-u)) 1)]
              [cosine (flabs (flvector-ref r (fx+ in-direction axis)))])
         (flvector-set! r light-density

@@ -61,12 +61,4 @@
                (put-specular! r (Float3-reflect out n) (Float3 1.0 1.0 1.0))
                (put-specular! r (Float3-refract out n eta) (Float3 1.0 1.0 1.0)))))
        (when (and inside? absorbs?)
-         (put-transmittance! r absorption))))))
-
-;; What is left of the light after the segment just travelled.
-(define-syntax-rule (put-transmittance! r absorption)
-  (let ([distance (fl* (flvector-ref r hit-t) (Float3-length (Float3-in r ray-direction)))])
-    (let-float3 ([exponent (Float3-scale-by-scalar absorption (fl* -1.0 distance))])
-      (Float3-put! r bsdf-weight (Float3 (flexp (Float3-x exponent))
-                                         (flexp (Float3-y exponent))
-                                         (flexp (Float3-z exponent)))))))
+         (put-absorbed! r absorption))))))

@@ -65,7 +65,7 @@
            [(fx= 0 (fxvector-ref i surface-inside)) (from-outside r i)]
            [else
             (from-inside r i)
-            (when absorbs? (absorb! absorption r))])))
+            (when absorbs? (put-absorbed! r absorption))])))
      (MaterialKernel (on-either-side sample-outside sample-inside)
                      (on-either-side evaluate-outside evaluate-inside)
                      #f #t #f)]))
@@ -173,14 +173,3 @@
                 (let-float3 ([d (Float3-refract o h eta)])
                   (Float3-put! r in-direction (Frame-to-world tangent bitangent n d))
                   (fl< (Float3-z d) 0.0)))))))))
-
-;; What is left of the light after the segment just travelled (Beer and Lambert).
-(: absorb! (-> Float3 FlVector Void))
-(define (absorb! absorption r)
-  (let ([distance (fl* (flvector-ref r hit-t) (Float3-length (Float3-in r ray-direction)))])
-    (let-float3 ([exponent (Float3-scale-by-scalar absorption (fl* -1.0 distance))])
-      (Float3-put! r bsdf-weight
-                   (Float3-scale-by-vector (Float3-in r bsdf-weight)
-                                           (Float3 (flexp (Float3-x exponent))
-                                                   (flexp (Float3-y exponent))
-                                                   (flexp (Float3-z exponent))))))))

@@ -2,7 +2,7 @@
 ;; What the kernels of materials share: the side they face, directions without neighbours, nothing.
 (require "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "kernel.rkt")
 
-(provide let-facing-normal put-specular! put-nothing! specular-kernel)
+(provide let-facing-normal put-specular! put-nothing! put-absorbed! specular-kernel)
 
 ;; Binds normal to the shading normal, or to the geometric one where the shading normal is turned
 ;; away from the viewer, out to out-direction, and cosine to their dot product, from 0 to 1.
@@ -26,6 +26,18 @@
   (begin
     (Float3-put! r bsdf-weight (Float3 0.0 0.0 0.0))
     (flvector-set! r bsdf-density 0.0)))
+
+;; Times what is left of light after the way from the last vertex through a shape that absorbs, per
+;; unit of length, with that absorption (Beer and Lambert).
+(define-syntax-rule (put-absorbed! r absorption)
+  (let ([distance (fl+ (flvector-ref r travelled)
+                       (fl* (flvector-ref r hit-t) (Float3-length (Float3-in r ray-direction))))])
+    (let-float3 ([exponent (Float3-scale-by-scalar absorption (fl* -1.0 distance))])
+      (Float3-put! r bsdf-weight
+                   (Float3-scale-by-vector (Float3-in r bsdf-weight)
+                                           (Float3 (flexp (Float3-x exponent))
+                                                   (flexp (Float3-y exponent))
+                                                   (flexp (Float3-z exponent))))))))
 
 ;; The kernel of a material all of whose samples are specular.
 (: specular-kernel (->* ((-> FlVector FxVector Void))

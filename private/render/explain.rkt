@@ -6,6 +6,7 @@
          (only-in "../base/float3.rkt" make-Float3 Float3?)
          (only-in "../base/check.rkt" raise-expected)
          (only-in "../material/emitter.rkt" Emitter?)
+         (only-in "../material/interior.rkt" Interior? Interior-surface)
          (only-in "../world/world.rkt" World? World-shapes World-lights World-background World-scene)
          (only-in "../world/camera.rkt" Camera?)
          (only-in "../world/scene.rkt" Scene-materials Scene-lights Scene-primitive-lights
@@ -18,7 +19,7 @@
 (lazy-require ["explanation.rkt" (write-explanation)])
 
 (provide explain (struct-out Explanation) (struct-out Path) (struct-out Vertex)
-         (struct-out LightSample) (struct-out Onward) (struct-out Miss))
+         (struct-out Within) (struct-out LightSample) (struct-out Onward) (struct-out Miss))
 
 ;; Places in the registers.
 (define-syntax-rule (define-places name ...)
@@ -36,8 +37,8 @@
   (lambda (explanation port mode) (write-explanation explanation port)))
 
 ;; film-x, film-y: where the sample is in the picture, in pixels. color: what it brings; rejected?:
-;; whether that was no finite number of at least 0, so that 0 took its place. steps: Vertex ...,
-;; perhaps a Miss.
+;; whether that was no finite number of at least 0, so that 0 took its place. steps: Vertex and
+;; Within ..., perhaps a Miss.
 (struct Path (film-x film-y color rejected? steps) #:transparent)
 
 ;; depth: bounces so far. t: the ray's parameter. inside?: whether the ray came from inside.
@@ -47,6 +48,9 @@
 (struct Vertex (depth shape material t point normal inside? throughput emitted emission-weight
                 ambient lights onward)
   #:transparent)
+
+;; Lights sampled inside a medium, between surfaces.
+(struct Within (depth lights) #:transparent)
 
 ;; light: a shape that shines, a light, or 'background. pdf: of the sample, with the choice among
 ;; lights, per solid angle; infinite for lights without a size. weight: by multiple importance
@@ -142,8 +146,10 @@
                    'throughput (color-at r throughput)
                    'weight (flvector-ref r light-density))
        (define vertex (draft 'vertex facts '() #f))
+       ;; boundaries that are not seen are no bounces
+       (set! steps (if (and (pair? steps) (boundary? (car steps))) (cdr steps) steps))
        (set! steps (cons vertex steps))
-       (set! depth (+ depth 1))
+       (unless (boundary? vertex) (set! depth (+ depth 1)))
        (set! book (lambda (light) (hash-set! facts 'emitted light)))]
       [(light)
        (turn! r void)
@@ -152,6 +158,10 @@
        (set! occluded-before (fxvector-ref i occlusion-rays))
        (hash-set*! facts 'light (light-of number) 'distance (flvector-ref r light-distance)
                    'pdf (flvector-ref r light-density) 'weight #f)
+       (unless (and (pair? steps) (open? (car steps)))
+         (define facts (make-hasheq))
+         (hash-set! facts 'depth (max 0 (- depth 1)))
+         (set! steps (cons (draft 'within facts '() #f) steps)))
        (define vertex (car steps))
        (set-draft-lights! vertex (cons sample (draft-lights vertex)))
        (set! book (lambda (light)
@@ -196,12 +206,20 @@
 (define (places r at) (list (flvector-ref r at) (flvector-ref r (+ at 1)) (flvector-ref r (+ at 2))))
 (define (list->color parts) (apply make-Float3 parts))
 
+;; A vertex, or a medium, where more may happen.
+(define (open? step) (not (or (draft-onward step) (eq? (draft-kind step) 'miss) (boundary? step))))
+
+(define (boundary? step)
+  (define material (hash-ref (draft-facts step) 'material #f))
+  (and (Interior? material) (not (Interior-surface material))))
+
 (define (finished step)
   (define (value key [default #f]) (hash-ref (draft-facts step) key default))
   (define (light key) (list->color (value key '(0.0 0.0 0.0))))
   (case (draft-kind step)
     [(miss) (Miss (value 'depth) (value 'direction) (value 'color) (value 'weight 1.0)
                   (light 'contribution))]
+    [(within) (Within (value 'depth) (map finished (reverse (draft-lights step))))]
     [(light)
      (LightSample (value 'light) (value 'distance) (value 'pdf) (value 'weight)
                   (cond [(ormap positive? (value 'contribution '(0.0))) 'lit]
@@ -251,6 +269,9 @@
   (for* ([path (in-list paths)] #:unless (Path-rejected? path) [step (in-list (Path-steps path))])
     (match step
       [(Miss depth _ _ _ light) (add! 'background depth light)]
+      [(Within depth lights)
+       (for ([sample (in-list lights)])
+         (add! (LightSample-light sample) (+ depth 1) (LightSample-contribution sample)))]
       [(? Vertex?)
        (define depth (Vertex-depth step))
        (add! (Vertex-shape step) depth (Vertex-emitted step))

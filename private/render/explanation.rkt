@@ -45,6 +45,9 @@
       [(Miss depth direction sky weight contribution)
        (line (+ depth 1) "hits nothing; background " (color-text sky)
              (weighted weight) " brings " (color-text contribution))]
+      [(Within depth lights)
+       (line (+ depth 1) "scatters in a medium")
+       (for ([sample (in-list lights)]) (write-light sample (+ depth 2) line))]
       [(Vertex depth shape material t point normal inside? throughput emitted weight ambient
                lights onward)
        (define indent (+ depth 1))
@@ -56,14 +59,7 @@
          (line (+ indent 1) "shines" (weighted weight) ", brings " (color-text emitted)))
        (when (bright? ambient)
          (line (+ indent 1) "ambient light brings " (color-text ambient)))
-       (for ([sample (in-list lights)])
-         (match-define (LightSample light distance pdf weight outcome contribution) sample)
-         (line (+ indent 1) "light " (thing-text light) ", distance " (number-text distance)
-               ", pdf " (number-text pdf) (if weight (weighted weight) "") ": "
-               (case outcome
-                 [(lit) (string-append "brings " (color-text contribution))]
-                 [(shadowed) "in shadow"]
-                 [else "nothing arrives"])))
+       (for ([sample (in-list lights)]) (write-light sample (+ indent 1) line))
        (when onward
          (line (+ indent 1)
                (if (bright? (Onward-weight onward))
@@ -71,6 +67,15 @@
                            (vector-text (Onward-direction onward))
                            (number-text (Onward-pdf onward)) (color-text (Onward-weight onward)))
                    "ends here: nothing is reflected")))])))
+
+(define (write-light sample indent line)
+  (match-define (LightSample light distance pdf weight outcome contribution) sample)
+  (line indent "light " (thing-text light) ", distance " (number-text distance)
+        ", pdf " (number-text pdf) (if weight (weighted weight) "") ": "
+        (case outcome
+          [(lit) (string-append "brings " (color-text contribution))]
+          [(shadowed) "in shadow"]
+          [else "nothing arrives"])))
 
 ;; ----------------------------------------------------------------------------------------------
 

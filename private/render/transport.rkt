@@ -6,7 +6,7 @@
          (only-in "../base/float3.rkt" make-Float3)
          (only-in "../base/transform.rkt" Transform-identity)
          (only-in "../world/world.rkt" make-World World? World-shapes World-lights
-                  World-background World-shading World-from-parts)
+                  World-background World-shading World-medium World-from-parts)
          (only-in "../world/camera.rkt" Camera-look-at)
          (only-in "../world/background.rkt" make-GradientSky)
          (only-in "../light/environment.rkt" make-EnvironmentMap)
@@ -40,7 +40,8 @@
          (only-in "../material/texture/noises.rkt" make-Noise make-Turbulence make-Marble)
          (only-in "../material/texture/gradient.rkt" make-GradientTexture)
          (only-in "../material/texture/uv.rkt" make-UVTexture)
-         (only-in "../image/image.rkt" make-Image)
+         (only-in "../material/interior.rkt" make-Interior)
+         (only-in "../medium/medium.rkt" make-Medium)
          (only-in "pixel.rkt" Tiling)
          (only-in "job.rkt" Job))
 
@@ -74,7 +75,8 @@
           (make-Mix matte matte 0.5) (make-RoughConductor 0.1) (make-RoughDielectric 1.5)
           (make-Checker zero zero) (make-CheckerUV zero zero) dot (make-ImageTexture dot)
           (make-Noise zero zero) (make-Turbulence zero zero) (make-Marble zero zero)
-          (make-GradientTexture zero zero) (make-UVTexture))))
+          (make-GradientTexture zero zero) (make-UVTexture)
+          (make-Medium 1 zero) (make-Interior (make-Medium 1 zero)))))
 
 (define (value-type value)
   (define-values (type skipped?) (struct-info value))
@@ -100,7 +102,7 @@
   (cond
     [(World? value)
      (list 'World (World-shapes value) (World-lights value) (World-background value)
-           (World-shading value))]
+           (World-shading value) (World-medium value))]
     [(Mesh? value)
      (list 'Mesh (Mesh-positions value) (Mesh-triangles value) (Mesh-normals value)
            (Mesh-uvs value) (Mesh-material value))]

@@ -12,18 +12,21 @@
 (define (World-add world . things)
   (World-from-parts (append (World-shapes world) (filter Shape? things))
                     (append (World-lights world) (filter Light? things))
-                    (World-background world) (World-shading world)))
+                    (World-background world) (World-shading world)
+                    (World-medium world)))
 
 ;; World-with-shapes, World-with-lights : the world with these in place of its shapes, or lights;
 ;; shapes that shine are shapes.
 (: World-with-shapes (-> World (Listof Shape) World))
 (define (World-with-shapes world shapes)
-  (World-from-parts shapes (World-lights world) (World-background world) (World-shading world)))
+  (World-from-parts shapes (World-lights world) (World-background world) (World-shading world)
+                    (World-medium world)))
 
 (: World-with-lights (-> World (U Light (Listof Light)) World))
 (define (World-with-lights world lights)
   (World-from-parts (World-shapes world) (if (Light? lights) (list lights) lights)
-                    (World-background world) (World-shading world)))
+                    (World-background world) (World-shading world)
+                    (World-medium world)))
 
 ;; World-with-background : the world before another background. Its ambient colour stays, unless it
 ;; was the old background's: then it is the new one's.
@@ -36,7 +39,8 @@
   (World-from-parts (World-shapes world) (World-lights world) background
                     (if follows?
                         (struct-copy Shading shading [ambient-color (Background-color background)])
-                        shading)))
+                        shading)
+                    (World-medium world)))
 
 ;; ----------------------------------------------------------------------------------------------
 

@@ -3,7 +3,7 @@
 (require (for-syntax racket/base) racket/promise "../base/unsafe-typed.rkt"
          "../base/float3.rkt" "../base/check.rkt" "../base/public.rkt"
          "../shape/shape.rkt" "../shape/sphere.rkt" "../light/light.rkt" "../light/distant.rkt"
-         "background.rkt" "scene.rkt")
+         "../medium/medium.rkt" "background.rkt" "scene.rkt")
 
 (provide (struct-out World) make-World (struct-out Shading) World-from-parts World-scene
          World-spheres World-sun World-background-color
@@ -27,10 +27,11 @@
 (define WORLD-AMBIENT-SAMPLES : Positive-Fixnum 64)
 (define WORLD-MAX-OCCLUSION-DISTANCE : Flonum 5.0)
 
-;; compiled: the Scene the first render makes; renders of the same World share it.
+;; medium: what fills the world, seen by paths, #f for nothing. compiled: the Scene the first render
+;; makes; renders of the same World share it.
 (struct World
   ([shapes : (Listof Shape)] [lights : (Listof Light)] [background : Background]
-   [shading : Shading] [compiled : (Promise Scene)])
+   [shading : Shading] [medium : (U #f Medium)] [compiled : (Promise Scene)])
   #:property prop:equal+hash
   (list (lambda ([a : World] [b : World] [same? : (-> Any Any Boolean)])
           (same? (World-parts a) (World-parts b)))
@@ -45,7 +46,8 @@
       (list 'name (accessor shading) (accessor default)))
     (print-call 'World
                 (list (World-shapes world) (World-lights world) (World-background world))
-                (append (keyword #:ambient-color Shading-ambient-color)
+                (append (list '#:medium (World-medium world) #f)
+                        (keyword #:ambient-color Shading-ambient-color)
                         (keyword #:ambient-samples Shading-ambient-samples)
                         (keyword #:max-occlusion-distance Shading-max-occlusion-distance)
                         (keyword #:ambient-weighting Shading-ambient-weighting)
@@ -60,7 +62,8 @@
 ;; All that makes two worlds equal.
 (: World-parts (-> World (Listof Any)))
 (define (World-parts world)
-  (list (World-shapes world) (World-lights world) (World-background world) (World-shading world)))
+  (list (World-shapes world) (World-lights world) (World-background world) (World-shading world)
+        (World-medium world)))
 
 ;; (World shapes lights background): as in the article, shapes a list of spheres, lights the sun,
 ;; background a colour; lights may also be a list and background a GradientSky. The ambient colour
@@ -69,7 +72,7 @@
    (->* ()
         ((Listof Shape) (U Light (Listof Light)) Background
          #:shapes (Listof Shape) #:lights (U Light (Listof Light)) #:background Background
-         #:ambient-color (U #f Float3) #:ambient-samples Integer #:max-occlusion-distance Real
+         #:medium (U #f Medium) #:ambient-color (U #f Float3) #:ambient-samples Integer #:max-occlusion-distance Real
          #:ambient-weighting Symbol #:occlusion-falloff Symbol
          #:shadow-samples Integer #:mirror-bounces Integer)
         World))
@@ -78,6 +81,7 @@
                     #:shapes [shapes shapes-by-place]
                     #:lights [lights lights-by-place]
                     #:background [background background-by-place]
+                    #:medium [medium #f]
                     #:ambient-color [ambient-color #f]
                     #:ambient-samples [ambient-samples WORLD-AMBIENT-SAMPLES]
                     #:max-occlusion-distance [distance WORLD-MAX-OCCLUSION-DISTANCE]
@@ -100,16 +104,18 @@
              (check-count 'World "shadow-samples" shadow-samples 0 1000000)
              (check-count 'World "mirror-bounces" mirror-bounces 0 1000000)))
   (define all-lights (if (Light? lights) (list lights) lights))
-  (World-from-parts shapes all-lights background shading))
+  (when (and medium (Medium-density medium))
+    (raise-expected 'World "medium" "one without a density; those with one fill shapes" medium))
+  (World-from-parts shapes all-lights background shading medium))
 
 ;; A World from checked parts.
-(: World-from-parts (-> (Listof Shape) (Listof Light) Background Shading World))
-(define (World-from-parts shapes lights background shading)
-  (World shapes lights background shading
+(: World-from-parts (-> (Listof Shape) (Listof Light) Background Shading (U #f Medium) World))
+(define (World-from-parts shapes lights background shading medium)
+  (World shapes lights background shading medium
          (once (lambda () (compile-scene shapes lights background)))))
 
 (define-constructor World make-World (shapes lights background)
-  #:struct (shapes lights background _ _))
+  #:struct (shapes lights background _ _ _))
 
 ;; The World compiled for rendering; made at the first call.
 (: World-scene (-> World Scene))

@@ -14,7 +14,9 @@
            (prefix-in first: raytrace/scenes/first-light)
            (prefix-in many: raytrace/scenes/many-lights)
            (prefix-in sun: raytrace/scenes/sun-and-sky)
-           (prefix-in globe: raytrace/scenes/globe))
+           (prefix-in globe: raytrace/scenes/globe)
+           (prefix-in smoke: raytrace/scenes/cornell-smoke)
+           (prefix-in fog: raytrace/scenes/fog))
 
   (define (pixel-of image x y) (call-with-values (lambda () (Image-pixel image x y)) Float3))
 
@@ -63,6 +65,8 @@
                        '(#:integrator path) '(#:samples 5))
     (check-same-pixels "sun and sky" sun:world sun:camera 64 36 places '(#:samples 6))
     (check-same-pixels "globe" globe:world globe:camera 64 36 places '(#:samples 6))
+    (check-same-pixels "smoke" smoke:world smoke:camera 64 36 places '(#:samples 6))
+    (check-same-pixels "fog" fog:world fog:camera 64 36 places '(#:samples 6))
     (check-same-pixels "one sample" cornell:world cornell:camera 64 36 places '(#:samples 1))
     (check-same-pixels "another seed, few bounces" cornell:world cornell:camera 64 36 places
                        '(#:max-depth 1) '(#:samples 4) '(#:seed 7)))
