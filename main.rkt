@@ -31,7 +31,7 @@
            "private/world/world.rkt" "private/integrate/query.rkt"
            "private/sample/sampler.rkt" "private/render/render.rkt" "private/image/image.rkt"
            "private/image/error.rkt" "private/image/write.rkt" "private/raster/view.rkt"
-           "private/raster/raster.rkt")
+           "private/raster/raster.rkt" "private/world/update.rkt" "private/explore.rkt")
           "private/surface.rkt"))
 
 (provide
@@ -133,4 +133,16 @@
  World-get-ambient-percent WORLD-AMBIENT-SAMPLES WORLD-MAX-OCCLUSION-DISTANCE
  ;; pictures
  render preview sample-point Image? Image-width Image-height Image-pixels Image-pixel Image-write
- Image-read Image-standard-error Image-relative-error Image-relative-error-uncertainty)
+ Image-read Image-standard-error Image-relative-error Image-relative-error-uncertainty
+ Image-crop Image-scale Image-exposed Image-tone Image-false-color Image-error-map
+ Images-side-by-side Image-difference Image-compare Comparison? Comparison-rmse Comparison-rmse1
+ Comparison-relative-mse Comparison-bias Comparison-psnr Comparison-worst-x Comparison-worst-y
+ Comparison-worst-difference Image->flomap flomap->Image Image->bitmap Image->pict show
+ ;; worlds and cameras that differ a little
+ World-add World-with-shapes World-with-lights World-with-background
+ Camera-orbit Camera-dolly Camera-pan
+ ;; why a pixel looks as it does
+ explain Explanation? Explanation-color Explanation-standard-error Explanation-rays
+ Explanation-sources Explanation-depths Explanation-paths
+ ;; what is probably wrong with a world
+ World-problems)

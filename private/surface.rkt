@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The public names that are constructor, match pattern and type at once, for typed and untyped
 ;; code (see base/public.rkt).
-(require "base/public.rkt"
+(require "base/public.rkt" "checked.rkt"
          (prefix-in struct: (combine-in (except-in "base/float3.rkt" Float3)
                                         (only-in "base/fuse.rkt" Float3)
                                         "material/phong.rkt" "material/emitter.rkt"
@@ -29,7 +29,7 @@
                                         "world/background.rkt" "world/world.rkt"))
          (for-syntax racket/base))
 
-(define-surface Float3 (x y z))
+(define-surface Float3 (x y z) #:numbers)
 (define-surface Camera (eye forward right up lens-radius focus-distance)
   #:struct (eye forward right up lens-radius focus-distance _ _ _ _ _ _))
 (define-surface Ray (point direction time))

@@ -125,13 +125,27 @@
     (flvector-set! v (fx+ i 1) (Float3-y/kernel whole))
     (flvector-set! v (fx+ i 2) (Float3-z/kernel whole))))
 
-;; Float3-normalized as a function: the unit vector; raises for a zero, infinite or NaN vector.
+;; Float3-normalized as a function: the unit vector; raises for a zero, infinite or NaN vector. Repeated
+;; until nothing changes, so that normalizing twice is normalizing once.
 (: Float3-normalized/checked (-> Float3 Float3))
 (define (Float3-normalized/checked v)
   (define largest (Float3-largest-magnitude v))
   (unless (and (fl> largest 0.0) (fl< largest +inf.0))
     (raise-expected 'Float3-normalized "vector" "a finite vector other than zero" v))
-  ;; divided by the largest component first, so that squares neither overflow nor vanish
+  (let again ([n : Float3 (normalized-once v)] [tries : Fixnum 8])
+    (define next (normalized-once n))
+    (cond
+      [(equal? next n) n]
+      [(fx> tries 0) (again next (fx- tries 1))]
+      [else (if (fl< (coordinate-sum n) (coordinate-sum next)) n next)]))) ; two take turns
+
+(: coordinate-sum (-> Float3 Flonum))
+(define (coordinate-sum v) (fl+ (fl+ (Float3-x v) (fl* 3.0 (Float3-y v))) (fl* 7.0 (Float3-z v))))
+
+;; Divided by the largest component first, so that squares neither overflow nor vanish.
+(: normalized-once (-> Float3 Float3))
+(define (normalized-once v)
+  (define largest (Float3-largest-magnitude v))
   (let-float3 ([scaled (Float3 (fl/ (Float3-x v) largest)
                                (fl/ (Float3-y v) largest)
                                (fl/ (Float3-z v) largest))])

@@ -13,6 +13,15 @@
 ;; row by row, twelve numbers each; the last row is 0 0 0 1. The image of a point p is M p.
 (struct Transform ([matrix : FlVector] [inverse-matrix : FlVector])
   #:transparent
+  ;; the inverse follows from the matrix, up to how it was rounded
+  #:property prop:equal+hash
+  (list (lambda ([a : Transform] [b : Transform] [same? : (-> Any Any Boolean)])
+          (same? (Transform-matrix a) (Transform-matrix b)))
+        (lambda ([transform : Transform] [hash : (-> Any Integer)])
+          (hash (Transform-matrix transform)))
+        (lambda ([transform : Transform] [hash : (-> Any Integer)])
+          (hash (Transform-entries transform))))
+  #:property prop:custom-print-quotable 'never
   #:property prop:custom-write
   (lambda ([transform : Transform] [port : Output-Port] [mode : Any])
     (fprintf port "(Transform~a)"

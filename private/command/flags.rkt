@@ -28,7 +28,11 @@
      "given as a .rkt file or as the name of a scene of this package."
      "Or, in place of <scene> and options:"
      "  list           tells the scenes of this package"
-     "  compare A B    tells how far picture A is from picture B")
+     "  compare A B    tells how far picture A is from picture B"
+     "  new FILE       writes a commented scene to start from"
+     "  check SCENE    finds what is probably wrong with a scene"
+     "  explain SCENE --pixel X,Y"
+     "                 tells why a pixel looks as it does: paths, lights, where light comes from")
     (once-each
      [("-o" "--output") ,(text-flag 'output)
                         (("Write the picture to <file>: .ppm, .png, .pfm or .hdr (linear);"
@@ -60,7 +64,9 @@
                     "name")]
      [("--integrator") ,(name-flag 'integrator)
                        (("What a pixel shows:"
-                         "auto, path, naive-path, seed, ambient-occlusion, normals, depth or raster")
+                         "auto, path, naive-path, seed, ambient-occlusion, normals or depth; raster,"
+                         "which draws at once; or what auto takes: cost, in rays, or error; in false"
+                         "colours but to .pfm and .hdr")
                         "name")]
      [("--shading") ,(lambda (flag text)
                        (define names (map string->symbol (regexp-split #rx"," text)))

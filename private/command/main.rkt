@@ -6,7 +6,10 @@
 
 (lazy-require ["render.rkt" (render-scene)]
               ["list.rkt" (list-scenes)]
-              ["compare.rkt" (compare-pictures)])
+              ["compare.rkt" (compare-pictures)]
+              ["explain.rkt" (explain-pixel)]
+              ["check.rkt" (check-scene)]
+              ["new.rkt" (new-scene)])
 
 (define program (short-program+command-name))
 
@@ -14,6 +17,9 @@
   (case (and (pair? words) (car words))
     [("list") (list-scenes (subcommand-name "list") (cdr words))]
     [("compare") (compare-pictures (subcommand-name "compare") (cdr words))]
+    [("explain") (explain-pixel (subcommand-name "explain") (cdr words))]
+    [("check") (check-scene (subcommand-name "check") (cdr words))]
+    [("new") (new-scene (subcommand-name "new") (cdr words))]
     [else
      (define-values (options scene) (parse-render-flags program words))
      (render-scene options scene)]))

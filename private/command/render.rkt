@@ -6,7 +6,8 @@
          "../image/write.rkt")
 
 (lazy-require ["studio.rkt" (load-studio)]
-              ["needs.rkt" (scene-needs)])
+              ["needs.rkt" (scene-needs)]
+              ["../image/edit.rkt" (Image-false-color)])
 
 (provide render-scene)
 
@@ -65,7 +66,10 @@
                               #:max-depth (option 'max-depth #f)
                               #:schedule schedule #:workers workers #:tile (option 'tile 16)
                               #:watch watch))))))
-  (Image-write image output)
+  ;; what is no light is shown in false colours, but kept as it is where a file is for numbers
+  (define false-color?
+    (and (memq integrator '(cost error)) (not (regexp-match? #rx"[.](?i:pfm|hdr)$" output))))
+  (Image-write (if false-color? (Image-false-color image) image) output)
   (define report
     (render-report (hasheq 'scene word 'file output
                            'width (Image-width image) 'height (Image-height image)

@@ -10,7 +10,7 @@
 (define-type Integrator (-> FlVector FxVector Void))
 
 (define INTEGRATORS : (Listof Symbol)
-  '(auto path naive-path seed ambient-occlusion normals depth raster))
+  '(auto path naive-path seed ambient-occlusion normals depth cost error raster))
 
 ;; How rasterization shades: normals of corners interpolated, or colours of corners, one colour a
 ;; triangle, steps with an outline, edges only; and views of one thing each.
@@ -33,20 +33,21 @@
                [background-light -1]))
 
 ;; The named integrator for a world; not 'raster, which draws whole pictures. 'auto is the article's
-;; shading where every surface is the article's and nothing fills the world, else the path integrator.
-;; 'naive-path is the estimator of the three books, for comparison. max-depth: bounces of a path, #f
-;; for no limit.
+;; shading where every surface is the article's and nothing fills the world, else the path integrator;
+;; 'cost and 'error show what the film knows of a render by it; 'naive-path is the estimator of the
+;; three books, for comparison. max-depth: bounces of a path, #f for no limit.
 (: World-integrator (->* (World Symbol) ((U #f Fixnum)) Integrator))
 (define (World-integrator world name [max-depth #f])
   (define scene (World-scene world))
   (define shading (World-shading world))
   (define (path) (path-integrator scene (PathLimits max-depth) (World-medium world)))
   (case name
-    [(auto) (if (and (not (World-medium world))
-                     (for/and : Boolean ([material (in-vector (Scene-materials scene))])
-                       (or (Phong? material) (Emitter? material))))
-                (seed-integrator scene shading)
-                (path))]
+    [(auto cost error)
+     (if (and (not (World-medium world))
+              (for/and : Boolean ([material (in-vector (Scene-materials scene))])
+                (or (Phong? material) (Emitter? material))))
+         (seed-integrator scene shading)
+         (path))]
     [(seed) (seed-integrator scene shading)]
     [(path) (path)]
     [(naive-path)

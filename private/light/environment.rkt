@@ -3,7 +3,7 @@
 ;; Directions are sampled by the picture's luminance and the solid angle of its rows.
 (require (for-syntax racket/base)
          "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/check.rkt"
-         "../base/public.rkt" "../image/image.rkt" "light.rkt")
+         "../base/public.rkt" "../base/unsafe-typed.rkt" "../image/image.rkt" "light.rkt")
 
 (provide (struct-out EnvironmentMap) make-EnvironmentMap EnvironmentMap-color
          EnvironmentMap-background EnvironmentMap-light-kernel)
@@ -12,7 +12,13 @@
 ;; too. The middle of the picture is seen along -z, its right half towards +x, its top row straight up
 ;; (as Camera-panoramic sees it from a camera that looks along -z). rotation: radians by which the
 ;; picture is turned about y, counterclockwise seen from above. scale: multiplies the radiance.
-(struct EnvironmentMap ([image : Image] [rotation : Flonum] [scale : Flonum]) #:transparent)
+(struct EnvironmentMap ([image : Image] [rotation : Flonum] [scale : Flonum]) #:transparent
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write
+  (lambda ([map : EnvironmentMap] [port : Output-Port] [mode : (U Boolean 0 1)])
+    (print-struct map port mode)))
+
+(unsafe-require/typed "../base/print.rkt" [print-struct (-> Any Output-Port (U Boolean 0 1) Any)])
 
 (: make-EnvironmentMap (->* (Image) (#:rotation-degrees Real #:scale Real) EnvironmentMap))
 (define (make-EnvironmentMap image #:rotation-degrees [degrees 0.0] #:scale [scale 1.0])

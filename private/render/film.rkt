@@ -4,7 +4,7 @@
 (require "../base/unsafe.rkt" "../image/image.rkt")
 
 (provide PIXEL-PLACES sums-place squares-place rays-place taken-place wanted-place
-         Film-want! Film-image Film-samples Film-squared-error)
+         Film-want! Film-image Film-cost-image Film-error-image Film-samples Film-squared-error)
 
 ;; A pixel's places: sums of the first and of the second stream, red green blue each; the sum of the
 ;; squared differences between paired samples, over all channels; rays traced; samples taken; and the
@@ -74,3 +74,30 @@
          (put-channel! at to 2)
          (each (fx+ k 1) (flmin least (flvector-ref film (fx+ at (taken-place))))))]
       [else (make-Image width height pixels (if (fl< least 2.0) #f errors))])))
+
+;; Greys that tell of a pixel: the rays a sample took, and the root of the mean squared standard error
+;; of its channels.
+(: Film-cost-image (-> FlVector Fixnum Fixnum Image))
+(define (Film-cost-image film width height)
+  (grey-image film width height
+              (lambda ([at : Fixnum])
+                (fl/ (flvector-ref film (fx+ at (rays-place)))
+                     (flvector-ref film (fx+ at (taken-place)))))))
+
+(: Film-error-image (-> FlVector Fixnum Fixnum Image))
+(define (Film-error-image film width height)
+  (grey-image film width height
+              (lambda ([at : Fixnum]) (flsqrt (fl/ (Film-squared-error film at) 3.0)))))
+
+(: grey-image (-> FlVector Fixnum Fixnum (-> Fixnum Flonum) Image))
+(define (grey-image film width height grey)
+  (define count (fx* width height))
+  (define pixels (make-flvector (* 3 count)))
+  (let each ([k : Fixnum 0])
+    (when (fx< k count)
+      (let ([value (grey (fx* k (PIXEL-PLACES)))] [to (fx* 3 k)])
+        (flvector-set! pixels to value)
+        (flvector-set! pixels (fx+ to 1) value)
+        (flvector-set! pixels (fx+ to 2) value)
+        (each (fx+ k 1)))))
+  (make-Image width height pixels))

@@ -36,9 +36,11 @@
     [else (MOST-CELLS)]))
 
 ;; A worker with a scratch of its own: a procedure that renders the tile it is given into the film,
-;; and the registers that count what it did.
-(: Job-worker (-> Job FlVector (Values (-> Fixnum Void) FxVector)))
-(define (Job-worker job film)
+;; and the registers that count what it did. observe: called with the integrator, returns what takes
+;; its place.
+(: Job-worker (->* (Job FlVector) ((-> Integrator Integrator))
+                   (Values (-> Fixnum Void) FxVector)))
+(define (Job-worker job film [observe (lambda ([integrator : Integrator]) integrator)])
   (define tiling (Job-tiling job))
   (define width (Tiling-width tiling))
   (define height (Tiling-height tiling))
@@ -47,5 +49,5 @@
                     (sampler-number (Job-sampler job)) (Job-grid job) (Job-seed job)
                     (Camera-kernel (Camera-fitted (Job-camera job) (/ width height)) width height
                                    (ormap Shape-moves? (World-shapes world)))
-                    (World-integrator world (Job-integrator job) (Job-max-depth job))
+                    (observe (World-integrator world (Job-integrator job) (Job-max-depth job)))
                     film))

@@ -32,7 +32,8 @@
 ;; the picture's mean at which to stop; samples go where they lower it most. Or #:seconds: the time
 ;; to use, wall-clock. With one of these #:samples is the most a pixel gets, MOST-SAMPLES by default.
 ;; #:sampler one of SAMPLERS. #:filter one of FILTERS: how a pixel weighs what falls near it.
-;; #:integrator one of INTEGRATORS. #:seed any whole number of 32 bits; the
+;; #:integrator one of INTEGRATORS; 'cost shows the rays that a sample of each pixel took and 'error the
+;; pixel's standard error, both as greys (see Image-false-color). #:seed any whole number of 32 bits; the
 ;; same seed gives the same picture, to the bit, whatever the schedule, workers and tile (but not with
 ;; #:seconds). #:max-depth bounces of a path, #f for no limit. #:schedule one of SCHEDULES. #:crop
 ;; (list x y width height) renders only that part.
@@ -136,6 +137,8 @@
       [(places) run-places]
       [else (raise-expected 'render "schedule" (format "one of ~a" SCHEDULES) schedule)]))
   (check-integrator integrator)
+  (when (and (eq? integrator 'error) (< (Goal-samples goal) 2))
+    (raise-expected 'render "samples" "at least 2 where the error is shown" samples))
   (sampler-number sampler)
   (check-filter filter)
   (define start (current-inexact-milliseconds))
@@ -155,7 +158,10 @@
     (for/fold ([sum : Fixnum 0]) ([i (in-list counts)]) (fx+ sum (fxvector-ref i place))))
   (define image (Film-image film (caddr area) (cadddr area)))
   (values
-   image
+   (case integrator
+     [(cost) (Film-cost-image film (caddr area) (cadddr area))]
+     [(error) (Film-error-image film (caddr area) (cadddr area))]
+     [else image])
    (Statistics (fx* (caddr area) (cadddr area)) (fl->fx (Film-samples film))
                (total nearest-rays) (total occlusion-rays) (total rejected-samples)
                (first-rejected counts columns)

@@ -16,10 +16,32 @@
 (struct Mesh Shape
   ([positions : FlVector] [triangles : FxVector] [normals : (U #f FlVector)]
    [uvs : (U #f FlVector)] [material : Material] [packed : (Promise Packed)])
+  #:property prop:equal+hash
+  (list (lambda ([a : Mesh] [b : Mesh] [same? : (-> Any Any Boolean)])
+          (same? (Mesh-parts a) (Mesh-parts b)))
+        (lambda ([mesh : Mesh] [hash : (-> Any Integer)]) (hash (Mesh-parts mesh)))
+        (lambda ([mesh : Mesh] [hash : (-> Any Integer)]) (hash (Mesh-positions mesh))))
   #:property prop:custom-write
-  (lambda ([mesh : Mesh] [port : Output-Port] [mode : Any])
-    (fprintf port "#<Mesh: ~a triangles, ~a vertices>"
-             (Mesh-triangle-count mesh) (quotient (flvector-length (Mesh-positions mesh)) 3))))
+  (lambda ([mesh : Mesh] [port : Output-Port] [mode : (U Boolean 0 1)])
+    (if (> (Mesh-triangle-count mesh) MOST-PRINTED-TRIANGLES)
+        (fprintf port "#<Mesh: ~a triangles, ~a vertices>"
+                 (Mesh-triangle-count mesh) (quotient (flvector-length (Mesh-positions mesh)) 3))
+        (print-call 'Mesh (list (Mesh-positions mesh) (Mesh-triangles mesh))
+                    (list '#:normals (Mesh-normals mesh) #f '#:uvs (Mesh-uvs mesh) #f
+                          '#:material (Mesh-material mesh) (void))
+                    port mode))))
+
+(unsafe-require/typed "../base/print.rkt"
+  [print-call (-> Symbol (Listof Any) (Listof Any) Output-Port (U Boolean 0 1) Any)])
+
+;; A larger mesh prints short: nobody reads its expression.
+(define MOST-PRINTED-TRIANGLES 100)
+
+;; All that makes two meshes equal.
+(: Mesh-parts (-> Mesh (Listof Any)))
+(define (Mesh-parts mesh)
+  (list (Mesh-positions mesh) (Mesh-triangles mesh) (Mesh-normals mesh) (Mesh-uvs mesh)
+        (Mesh-material mesh)))
 
 ;; Mesh : triangles over shared vertices. positions: flvector, 3 finite coordinates a vertex.
 ;; triangles: fxvector, 3 numbers of vertices, from 0, a triangle. #:normals: flvector, 3 a vertex

@@ -3,6 +3,7 @@
 ;; if they are wanted. Their rays are cast in camera-kernel.rkt.
 (require (for-syntax racket/base)
          "../base/unsafe.rkt" "../base/float3.rkt" "../base/check.rkt" "../base/public.rkt"
+         "../base/unsafe-typed.rkt"
          "../sample/warp.rkt")
 
 (provide (struct-out Camera) make-Camera Camera-global-up Camera-look-at Camera-fitted
@@ -20,7 +21,25 @@
    [lens-radius : Flonum] [focus-distance : Flonum] [blades : Fixnum]
    [projection : Symbol] [angle : Flonum]
    [shutter-open : Flonum] [shutter-close : Flonum] [end : (U #f Camera)])
-  #:transparent)
+  #:transparent
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write
+  (lambda ([camera : Camera] [port : Output-Port] [mode : (U Boolean 0 1)])
+    (print-call 'Camera
+                (list (Camera-eye camera) (Camera-forward camera)
+                      (Camera-right camera) (Camera-up camera))
+                (list '#:lens-radius (Camera-lens-radius camera) 0.0
+                      '#:focus-distance (Camera-focus-distance camera) 1.0
+                      '#:blades (Camera-blades camera) 0
+                      '#:projection (Camera-projection camera) 'perspective
+                      '#:angle (Camera-angle camera) 1.0
+                      '#:shutter-open (Camera-shutter-open camera) 0.0
+                      '#:shutter-close (Camera-shutter-close camera) 1.0
+                      '#:end (Camera-end camera) #f)
+                port mode)))
+
+(unsafe-require/typed "../base/print.rkt"
+  [print-call (-> Symbol (Listof Any) (Listof Any) Output-Port (U Boolean 0 1) Any)])
 
 ;; perspective: through the image plane. orthographic: along forward, from the plane through the eye
 ;; that right and up span. panoramic: the picture's width is all around, its height from straight down

@@ -31,7 +31,39 @@
 ;; makes; renders of the same World share it.
 (struct World
   ([shapes : (Listof Shape)] [lights : (Listof Light)] [background : Background]
-   [shading : Shading] [medium : (U #f Medium)] [compiled : (Promise Scene)]))
+   [shading : Shading] [medium : (U #f Medium)] [compiled : (Promise Scene)])
+  #:property prop:equal+hash
+  (list (lambda ([a : World] [b : World] [same? : (-> Any Any Boolean)])
+          (same? (World-parts a) (World-parts b)))
+        (lambda ([world : World] [hash : (-> Any Integer)]) (hash (World-parts world)))
+        (lambda ([world : World] [hash : (-> Any Integer)]) (hash (World-shapes world))))
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write
+  (lambda ([world : World] [port : Output-Port] [mode : (U Boolean 0 1)])
+    (define shading (World-shading world))
+    (define default (World-shading (make-World '() '() (World-background world))))
+    (define-syntax-rule (keyword name accessor)
+      (list 'name (accessor shading) (accessor default)))
+    (print-call 'World
+                (list (World-shapes world) (World-lights world) (World-background world))
+                (append (list '#:medium (World-medium world) #f)
+                        (keyword #:ambient-color Shading-ambient-color)
+                        (keyword #:ambient-samples Shading-ambient-samples)
+                        (keyword #:max-occlusion-distance Shading-max-occlusion-distance)
+                        (keyword #:ambient-weighting Shading-ambient-weighting)
+                        (keyword #:occlusion-falloff Shading-occlusion-falloff)
+                        (keyword #:shadow-samples Shading-shadow-samples)
+                        (keyword #:mirror-bounces Shading-mirror-bounces))
+                port mode)))
+
+(unsafe-require/typed "../base/print.rkt"
+  [print-call (-> Symbol (Listof Any) (Listof Any) Output-Port (U Boolean 0 1) Any)])
+
+;; All that makes two worlds equal.
+(: World-parts (-> World (Listof Any)))
+(define (World-parts world)
+  (list (World-shapes world) (World-lights world) (World-background world) (World-shading world)
+        (World-medium world)))
 
 ;; (World shapes lights background): as in the article, shapes a list of spheres, lights the sun,
 ;; background a colour; lights may also be a list and background a GradientSky. The ambient colour
