@@ -6,13 +6,15 @@
 
 (lazy-require ["render.rkt" (render-scene)]
               ["list.rkt" (list-scenes)]
-              ["compare.rkt" (compare-pictures)])
+              ["compare.rkt" (compare-pictures)]
+              ["merge.rkt" (merge-parts)])
 
 (define program (short-program+command-name))
 
 (define (run words)
   (case (and (pair? words) (car words))
     [("list") (list-scenes (subcommand-name "list") (cdr words))]
+    [("merge") (merge-parts (subcommand-name "merge") (cdr words))]
     [("compare") (compare-pictures (subcommand-name "compare") (cdr words))]
     [else
      (define-values (options scene) (parse-render-flags program words))
@@ -27,8 +29,13 @@
 (define (report failure)
   (leave 1 (if (exn? failure) (exn-message failure) (format "raised ~s" failure))))
 
-(with-handlers* ([exn:break:terminate? (lambda (e) (leave 143 "terminated"))]
-                 [exn:break? (lambda (e) (leave 130 "interrupted"))]
+;; A render that is interrupted has more to say than the system.
+(define (break-text e otherwise)
+  (define text (exn-message e))
+  (if (regexp-match? (string-append "^" otherwise) text) text otherwise))
+
+(with-handlers* ([exn:break:terminate? (lambda (e) (leave 143 (break-text e "terminated")))]
+                 [exn:break? (lambda (e) (leave 130 (break-text e "interrupted")))]
                  [(lambda (e) #t) report])
   (run (vector->list (current-command-line-arguments)))
   (flush-output))
