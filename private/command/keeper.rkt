@@ -3,10 +3,9 @@
 (require file/sha1 racket/list setup/getinfo "line.rkt"
          "../render/film-file.rkt" "../render/digest.rkt" "../render/film.rkt" "../render/pixel.rkt"
          "../render/job.rkt" "../render/passes.rkt" "../render/render.rkt" "../image/write.rkt"
-         "../image/source.rkt")
+         "../image/source.rkt" "unfinished.rkt")
 
-(provide render-settings check-same-render checkpoint-path checkpoint-load! checkpoint-save
-         call-with-saver checkpoint-delete write-part)
+(provide render-settings check-same-render make-keeper write-part)
 
 ;; render-settings : pairs of a word and a value that tell one render from another. path: the scene's
 ;; file. options: more such pairs, of what the user asked for.
@@ -44,7 +43,17 @@
 
 ;; ----------------------------------------------------------------------------------------------
 
-(define (checkpoint-path output) (string-append output ".checkpoint"))
+;; make-keeper : a keeper of the checkpoint beside the output, written every so many seconds.
+(define (make-keeper output settings part seconds)
+  (define checkpoint (string-append output ".checkpoint"))
+  (define (save progress #:locked? [locked? #f])
+    (checkpoint-save checkpoint settings part progress #:locked? locked?))
+  (keeper checkpoint
+          (lambda (progress) (checkpoint-load! checkpoint settings part progress))
+          (lambda (progress) (save progress #:locked? #t))
+          (lambda (progress use) (call-with-saver seconds (lambda () (when (progress) (save (progress)))) use))
+          (lambda () (checkpoint-delete checkpoint))))
+
 (define (new-path checkpoint) (string-append checkpoint ".new"))
 
 ;; checkpoint-load! : goes on from the checkpoint, if there is one, in a render that starts.

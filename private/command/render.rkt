@@ -8,8 +8,7 @@
 
 (lazy-require ["studio.rkt" (load-studio)]
               ["needs.rkt" (scene-needs)]
-              ["keeper.rkt" (render-settings checkpoint-path checkpoint-load! checkpoint-save
-                             call-with-saver checkpoint-delete write-part)])
+              ["keeper.rkt" (render-settings make-keeper write-part)])
 
 (provide render-scene)
 
@@ -73,13 +72,13 @@
                 (cons "number of samples" samples) (cons "error" error) (cons "seconds" seconds)
                 (cons "sampler" sampler) (cons "filter" filter) (cons "integrator" integrator)
                 (cons "max-depth" max-depth) (cons "tile" tile)))))
-  (define checkpoint (and resume? (checkpoint-path output)))
+  (define keep
+    (and resume? (make-keeper output same part (hash-ref options 'checkpoint-seconds 10.0))))
   (define progress #f)
-  (define (save #:locked? [locked? #f])
-    (checkpoint-save checkpoint same part progress #:locked? locked?))
+  (define (save) (and keep progress ((keeper-save keep) progress)))
   (define (prepare started)
     (set! progress started)
-    (when resume? (checkpoint-load! checkpoint same part progress)))
+    (when keep ((keeper-load! keep) progress)))
   (define (coarse columns)
     (and (not crop)
          (render world camera #:width columns
@@ -104,7 +103,7 @@
                      (lambda (e)
                        (define kept
                          (append
-                          (if (and resume? (save #:locked? #t)) (list (kept-checkpoint checkpoint)) '())
+                          (if (save) (list (kept-checkpoint (keeper-path keep))) '())
                           (if (and keep-partial? (not part))
                               (list (kept-picture progress output))
                               '())))
@@ -113,17 +112,16 @@
        (cond [preview? 'preview] [quiet? #f] [terminal? 'line] [else 'log])
        #:label output #:under coarse
        (lambda (watch)
-         (if resume?
-             (call-with-saver (hash-ref options 'checkpoint-seconds 10.0) save
-                              (lambda () (render-it watch)))
+         (if keep
+             ((keeper-during keep) (lambda () progress) (lambda () (render-it watch)))
              (render-it watch))))))
   (with-handlers ([exn:fail? (lambda (e)
-                               (when resume? (save #:locked? #t))
+                               (save)
                                (raise e))])
     (if part
         (write-part output same part progress)
         (Image-write image output)))
-  (when resume? (checkpoint-delete checkpoint))
+  (when keep ((keeper-delete! keep)))
   (define report
     (render-report (hasheq 'scene word 'file output 'part part
                            'width (Image-width image) 'height (Image-height image)

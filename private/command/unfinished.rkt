@@ -3,7 +3,12 @@
 (require racket/flonum "progress.rkt" "../render/render.rkt" "../render/film.rkt" "../render/job.rkt"
          "../render/passes.rkt" "../render/pixel.rkt" "../image/image.rkt" "../image/write.rkt")
 
-(provide progress->live kept-picture kept-checkpoint interrupted)
+(provide (struct-out keeper) progress->live kept-picture kept-checkpoint interrupted)
+
+;; What keeps the checkpoint of a render in the file path: load! goes on from it in a render that starts,
+;; save writes it now, during calls (use) while a thread saves the progress that a procedure returns,
+;; delete! is for a render that is done.
+(struct keeper (path load! save during delete!))
 
 ;; progress->live : as call-with-progress takes it.
 (define (progress->live progress)
