@@ -15,6 +15,8 @@
            (sleep 0.05)
            (loop (- tries 1)))))
      (define (interrupt signal code word . more)
+       (when (file-exists? (build-path folder "a.pfm.checkpoint"))
+         (delete-file (build-path folder "a.pfm.checkpoint")))
        (define command
          (apply start-command folder
                 (append long '("-o" "a.pfm" "--resume" "--checkpoint-seconds" "0.1") more)))
@@ -41,7 +43,7 @@
        (check-true (equal? whole (file->bytes checkpoint))))
      (define start "a.pfm.checkpoint: expected a checkpoint of this render, found another ")
      (refused (string-append start "seed: 0, not 3") "--seed" "3")
-     (refused (string-append start "size: 120x80, not 60x40") "--size" "60x40")
+     (refused (string-append start "sampler: owen-sobol, not r2") "--sampler" "r2")
      (define scene (file->string (build-path folder "balls.rkt")))
      (write-scene folder "balls.rkt" (string-replace scene "0.7 0.4 0.3" "0.7 0.4 0.2"))
      (refused (string-append "a.pfm.checkpoint: expected a checkpoint of this render, "
