@@ -145,7 +145,15 @@
   (define-values (rejected-pixel-number sample) (Target-first-rejected target))
   (values
    image
-   (Statistics (fx* (caddr area) (cadddr area)) (Target-total target (tally-taken))
+   (Statistics (if part
+                   (for/fold ([sum : Fixnum 0]) ([tile (in-range count)])
+                     (cond
+                       [(= (remainder tile (cadr part)) (- (car part) 1))
+                        (define-values (x0 y0 x1 y1) (Tiling-bounds tiling (assert tile fixnum?)))
+                        (fx+ sum (fx* (fx- x1 x0) (fx- y1 y0)))]
+                       [else sum]))
+                   (fx* (caddr area) (cadddr area)))
+               (Target-total target (tally-taken))
                (Target-total target (tally-nearest)) (Target-total target (tally-occlusion))
                (Target-total target (tally-rejected))
                (and (fx> rejected-pixel-number 0)
