@@ -32,7 +32,8 @@
      "  new FILE       writes a commented scene to start from"
      "  check SCENE    finds what is probably wrong with a scene"
      "  explain SCENE --pixel X,Y"
-     "                 tells why a pixel looks as it does: paths, lights, where light comes from")
+     "                 tells why a pixel looks as it does: paths, lights, where light comes from"
+     "  merge PART...  joins the parts of a picture that --part rendered")
     (once-each
      [("-o" "--output") ,(text-flag 'output)
                         (("Write the picture to <file>: .ppm, .png, .pfm or .hdr (linear);"
@@ -86,10 +87,27 @@
                     ("How many at a time; by default one for each processor" "n")]
      [("--tile") ,(count-flag 'tile check-tile)
                  ("Side of the squares that workers take, in pixels; by default 16" "n")])
+    (help-labels "" "Long renders and many machines:" "")
+    (once-each
+     [("--resume") ,(switch 'resume)
+                   ("Keep what is done in <output>.checkpoint, and go on from there")]
+     [("--checkpoint-seconds") ,(lambda (flag text)
+                                  (cons 'checkpoint-seconds
+                                        (check-seconds flag text (text->positive text))))
+                               ("At least this long between two checkpoints; by default 10" "s")]
+     [("--keep-partial") ,(switch 'keep-partial)
+                         ("After an interrupt write the picture as far as it got")]
+     [("--part") ,(lambda (flag text)
+                    (cons 'part (check-part flag text (text->naturals text #rx"/"))))
+                 (("Render the I-th of N parts into a file that `raco raytrace merge` takes;"
+                   "by default the scene's name with .I-of-N.part")
+                  "I/N")])
     (help-labels "" "What is told on standard error:" "")
     (once-each
      [("--stats") ,(switch 'stats) ("Counts and times")]
      [("--stats-json") ,(text-flag 'stats-json) ("The same as JSON in <file>" "file")]
+     [("--preview") ,(switch 'preview)
+                    ("The picture as it forms, in a terminal of 24-bit colours")]
      [("--quiet") ,(switch 'quiet) ("No progress and no closing line")])))
 
 ;; ----------------------------------------------------------------------------------------------

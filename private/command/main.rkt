@@ -9,13 +9,15 @@
               ["compare.rkt" (compare-pictures)]
               ["explain.rkt" (explain-pixel)]
               ["check.rkt" (check-scene)]
-              ["new.rkt" (new-scene)])
+              ["new.rkt" (new-scene)]
+              ["merge.rkt" (merge-parts)])
 
 (define program (short-program+command-name))
 
 (define (run words)
   (case (and (pair? words) (car words))
     [("list") (list-scenes (subcommand-name "list") (cdr words))]
+    [("merge") (merge-parts (subcommand-name "merge") (cdr words))]
     [("compare") (compare-pictures (subcommand-name "compare") (cdr words))]
     [("explain") (explain-pixel (subcommand-name "explain") (cdr words))]
     [("check") (check-scene (subcommand-name "check") (cdr words))]
@@ -33,8 +35,13 @@
 (define (report failure)
   (leave 1 (if (exn? failure) (exn-message failure) (format "raised ~s" failure))))
 
-(with-handlers* ([exn:break:terminate? (lambda (e) (leave 143 "terminated"))]
-                 [exn:break? (lambda (e) (leave 130 "interrupted"))]
+;; A render that is interrupted has more to say than the system.
+(define (break-text e otherwise)
+  (define text (exn-message e))
+  (if (regexp-match? (string-append "^" otherwise) text) text otherwise))
+
+(with-handlers* ([exn:break:terminate? (lambda (e) (leave 143 (break-text e "terminated")))]
+                 [exn:break? (lambda (e) (leave 130 (break-text e "interrupted")))]
                  [(lambda (e) #t) report])
   (run (vector->list (current-command-line-arguments)))
   (flush-output))

@@ -26,7 +26,7 @@
     (list 'nearestRays "nearest-hit rays" (Statistics-nearest-rays statistics))
     (list 'occlusionRays "occlusion rays" (Statistics-occlusion-rays statistics))
     (list 'raysPerPixel "rays per pixel"
-          (exact->inexact (/ rays (Statistics-pixels statistics))))
+          (exact->inexact (/ rays (max 1 (Statistics-pixels statistics)))))
     (list 'millionRaysPerSecond "million rays per second"
           (and (positive? seconds) (/ rays seconds 1e6)))
     (list 'buildSeconds "build seconds" (Statistics-build-seconds statistics))
@@ -38,7 +38,7 @@
 
 ;; A whole number where every pixel has as many.
 (define (samples-per-pixel statistics)
-  (define mean (/ (Statistics-samples statistics) (Statistics-pixels statistics)))
+  (define mean (/ (Statistics-samples statistics) (max 1 (Statistics-pixels statistics))))
   (if (integer? mean) mean (exact->inexact mean)))
 
 (define (report-value report key)

@@ -4,7 +4,7 @@
 (require (only-in "../integrate/integrators.rkt" SHADINGS))
 
 (provide check-size check-samples check-error check-seconds check-seed check-workers check-tile
-         check-max-depth check-crop check-name check-shading unexpected
+         check-max-depth check-part check-crop check-name check-shading unexpected
          text->natural text->naturals text->positive text->part)
 
 (define LONGEST-SIDE 100000)
@@ -41,6 +41,12 @@
 (define check-workers (check-count 1 1024))
 (define check-tile (check-count 1 LONGEST-SIDE))
 (define check-max-depth (check-count 0 1000000000))
+
+;; part: a list of two numbers, the first of them from 1 to the second.
+(define (check-part what given part)
+  (unless (and (= (length part) 2) (in-range? (cadr part) 1 1000000) (in-range? (car part) 1 (cadr part)))
+    (unexpected what given "I/N, two whole numbers with I from 1 to N and N at most 1000000"))
+  part)
 
 ;; check-crop : (list x y width height) from text like "0,0,16,16", a part of the size, or #f for all
 ;; of it where text is #f. What is to be rendered must fit into memory.

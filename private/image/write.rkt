@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Picture files by name: writing whole files or none, checking a name before a long render, and
 ;; reading by content.
-(provide Image-write Image-read check-output-path)
+(provide Image-write Image-read check-output-path call-with-whole-file)
 (require "image.rkt" "ppm.rkt" "source.rkt" racket/lazy-require)
 
 (lazy-require ["pfm.rkt" (Image-write-pfm Image-read-pfm)]
@@ -27,12 +27,17 @@
          (with-handlers ([exn:fail? (lambda (e) (unwritable path e))])
            (call-with-output-file path #:exists 'append write-image))]
         [else
-         (call-with-temporary-file
-          path
-          (lambda (out temporary target)
-            (write-image out)
-            (close-output-port out)
-            (rename-file-or-directory temporary target #t)))]))
+         (call-with-whole-file path write-image)]))
+
+;; call-with-whole-file : calls use with an output port to a file that appears whole or not at all: it is
+;; written under a temporary name beside it and renamed. Raises exn:fail:user on failure.
+(define (call-with-whole-file path use)
+  (call-with-temporary-file
+   path
+   (lambda (out temporary target)
+     (use out)
+     (close-output-port out)
+     (rename-file-or-directory temporary target #t))))
 
 ;; check-output-path : raises the error Image-write would raise for this path, as far as it can
 ;; be known beforehand (extension, folder, permission), leaving nothing behind.

@@ -1,6 +1,7 @@
 #lang typed/racket/base
 ;; Integrators by name: what a ray's colour means.
-(require "../base/unsafe.rkt" "../base/check.rkt" "../light/light.rkt" "../world/world.rkt"
+(require "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/check.rkt"
+         "../light/light.rkt" "../world/world.rkt"
          "../material/material.rkt" "../material/phong.rkt" "../material/emitter.rkt"
          "../world/scene.rkt" "seed.rkt" "path.rkt" "views.rkt")
 
@@ -32,9 +33,18 @@
                [primitive-lights (make-fxvector (fxvector-length (Scene-primitive-lights scene)) -1)]
                [background-light -1]))
 
+;; What an integrator costs: the rays it asks for, as a grey.
+(: counting-rays (-> Integrator Integrator))
+(define ((counting-rays integrator) r i)
+  (define before (fx+ (fxvector-ref i nearest-rays) (fxvector-ref i occlusion-rays)))
+  (integrator r i)
+  (let ([rays (fx->fl (fx- (fx+ (fxvector-ref i nearest-rays) (fxvector-ref i occlusion-rays))
+                           before))])
+    (Float3-put! r radiance (Float3 rays rays rays))))
+
 ;; The named integrator for a world; not 'raster, which draws whole pictures. 'auto is the article's
 ;; shading where every surface is the article's and nothing fills the world, else the path integrator;
-;; 'cost and 'error show what the film knows of a render by it; 'naive-path is the estimator of the
+;; 'cost shows its rays, 'error is it, and the picture shows its errors; 'naive-path is the estimator of the
 ;; three books, for comparison. max-depth: bounces of a path, #f for no limit.
 (: World-integrator (->* (World Symbol) ((U #f Fixnum)) Integrator))
 (define (World-integrator world name [max-depth #f])
@@ -42,7 +52,8 @@
   (define shading (World-shading world))
   (define (path) (path-integrator scene (PathLimits max-depth) (World-medium world)))
   (case name
-    [(auto cost error)
+    [(cost) (counting-rays (World-integrator world 'auto max-depth))]
+    [(auto error)
      (if (and (not (World-medium world))
               (for/and : Boolean ([material (in-vector (Scene-materials scene))])
                 (or (Phong? material) (Emitter? material))))

@@ -7,10 +7,13 @@
 
 (provide (struct-out Goal) make-passes (struct-out Passes) MOST-SAMPLES)
 
+(unsafe-require/typed racket/base
+  [current-inexact-monotonic-milliseconds (-> Flonum)])
+
 (define-type TileCounter Any)
 (unsafe-require/typed "schedule/tiles.rkt"
-  [make-tile-counter (-> Fixnum TileCounter)]
-  [tiles-taken (-> TileCounter Fixnum)])
+  [make-tile-counter (-> Fixnum Bytes TileCounter)]
+  [tiles-done (-> TileCounter Fixnum)])
 
 ;; samples: how many every pixel gets, or the most it may get where an error (the relative RMSE) or a
 ;; time is the goal; with both, what is reached first ends the render.
@@ -21,9 +24,14 @@
 
 ;; next: the counter of the tiles of the next pass, after the film was told what it wants, or #f at
 ;; the end. progress: the part that is done, from 0 to 1, as far as can be told. count: the passes so
-;; far. stopped-by: why there is no next one.
+;; far. stopped-by: why there is no next one. state: what has to be known beside the film to go on
+;; from here in another process, and resume! to do so before the first pass.
 (struct Passes ([next : (-> (U #f TileCounter))] [progress : (-> Flonum)]
-                [count : (-> Fixnum)] [stopped-by : (-> Symbol)]))
+                [count : (-> Fixnum)] [stopped-by : (-> Symbol)]
+                [state : (-> State)] [resume! : (-> State Void)]))
+
+;; The number of the pass and seconds so far; rays before this pass, in it, and in it and all after.
+(define-type State (List Fixnum Flonum Flonum Flonum Flonum))
 
 ;; A pass that would bring less than this part of what is there is not worth its start.
 (define-syntax-rule (LEAST-PASS) 0.01)
@@ -33,15 +41,20 @@
 (define-syntax-rule (TIME-SHARE) 0.7)
 (define-syntax-rule (TIME-LEFT) 0.03)
 
-(: make-passes (-> FlVector Fixnum Fixnum Goal Passes))
-(define (make-passes film width tile-count goal)
+;; done: a byte for each tile, not 0 for those that are not to be rendered. Without a film (where
+;; pixels are finished in one pass) there is only that one.
+(: make-passes (->* ((U #f FlVector) Fixnum Fixnum Goal) (Bytes) Passes))
+(define (make-passes film-or-none width tile-count goal [skip (make-bytes tile-count 0)])
+  (define film (or film-or-none (flvector)))
   (define error (Goal-error goal))
   (define seconds (Goal-seconds goal))
   ;; samples are added in pairs, one of each stream
   (define most
     (let ([samples (Goal-samples goal)])
       (if (and (or error seconds) (> samples 1)) (fxand samples -2) samples)))
-  (define start (current-inexact-milliseconds))
+  (define start (current-inexact-monotonic-milliseconds))
+  (define earlier : Flonum 0.0)
+  (define resumed? : Boolean #f)
   (define count : Fixnum 0)
   (define stopped-by 'samples)
   (define counter : (U #f TileCounter) #f)
@@ -52,8 +65,12 @@
 
   (: start-pass! (-> Flonum Flonum TileCounter))
   (define (start-pass! pass-cost cost-ahead)
-    (define fresh (make-tile-counter tile-count))
     (set! done (Film-rays film))
+    (begin-pass! pass-cost cost-ahead))
+
+  (: begin-pass! (-> Flonum Flonum TileCounter))
+  (define (begin-pass! pass-cost cost-ahead)
+    (define fresh (make-tile-counter tile-count skip))
     (set! now pass-cost)
     (set! ahead (flmax pass-cost cost-ahead))
     (set! count (fx+ count 1))
@@ -66,7 +83,8 @@
     #f)
 
   (: elapsed (-> Flonum))
-  (define (elapsed) (fl/ (fl- (current-inexact-milliseconds) start) 1000.0))
+  (define (elapsed)
+    (fl+ earlier (fl/ (fl- (current-inexact-monotonic-milliseconds) start) 1000.0)))
 
   ;; the rays the next pass has time for, +inf.0 without a limit; rays are traced as fast as so far
   (: affordable (-> Flonum))
@@ -79,9 +97,17 @@
               (fl* (fl* (TIME-SHARE) left) (fl/ (Film-rays film) passed))))
         +inf.0))
 
+  (: count-skipped (-> Fixnum))
+  (define (count-skipped)
+    (for/fold ([sum : Fixnum 0]) ([byte (in-bytes skip)]) (if (eqv? byte 0) sum (fx+ sum 1))))
+
   (: next (-> (U #f TileCounter)))
   (define (next)
     (cond
+      [resumed?
+       (set! resumed? #f)
+       (set! count (fx- count 1))
+       (begin-pass! now ahead)]
       [(= count 0)
        (Film-want! film (if (or error seconds) (min most PILOT-SAMPLES) most))
        (start-pass! 1.0 1.0)]
@@ -111,14 +137,27 @@
 
   (: progress (-> Flonum))
   (define (progress)
-    (define part (if counter (fl/ (fx->fl (tiles-taken counter)) (fx->fl tile-count)) 0.0))
+    (define part (if counter (fl/ (fx->fl (fx+ (count-skipped) (tiles-done counter))) (fx->fl tile-count)) 0.0))
     (define by-rays
       (cond
+        [(not (or error seconds)) part]
         [(and (= count 1) (or error seconds)) 0.0]
         [else (fl/ (fl+ done (fl* part now)) (fl+ done ahead))]))
     (if seconds (flmax by-rays (flmin 1.0 (fl/ (elapsed) seconds))) by-rays))
 
-  (Passes next progress (lambda () count) (lambda () stopped-by)))
+  (: state (-> State))
+  (define (state) (list count (elapsed) done now ahead))
+
+  (: resume! (-> State Void))
+  (define (resume! state)
+    (set! count (car state))
+    (set! earlier (cadr state))
+    (set! done (caddr state))
+    (set! now (cadddr state))
+    (set! ahead (car (cddddr state)))
+    (set! resumed? (> count 0)))
+
+  (Passes next progress (lambda () count) (lambda () stopped-by) state resume!))
 
 (: Film-rays (-> FlVector Flonum))
 (define (Film-rays film)

@@ -1,9 +1,12 @@
 #lang typed/racket/base
 ;; A pixel as a fold over its samples: camera ray, integrator, sums on the film.
-(require "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt"
+(require "../base/unsafe-typed.rkt" "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt"
          "../sample/hash.rkt" "../sample/sampler.rkt" "../sample/filter.rkt" "film.rkt")
 
-(provide make-tile-worker (struct-out Tiling) tile-count)
+(unsafe-require/typed racket/base
+  [memory-order-release (-> Void)])
+
+(provide make-tile-worker (struct-out Tiling) tile-count Tiling-bounds)
 
 ;; How a picture is cut: its width and height, the tile's side, and the part that is rendered as
 ;; x, y, width, height. Tiles are numbered by rows; their order changes no pixel.
@@ -19,15 +22,28 @@
   (fx* (ceiling-quotient (caddr crop) (Tiling-tile tiling))
        (ceiling-quotient (cadddr crop) (Tiling-tile tiling))))
 
+;; The left, top, right and bottom of a tile in the rendered part.
+(: Tiling-bounds (-> Tiling Fixnum (Values Fixnum Fixnum Fixnum Fixnum)))
+(define (Tiling-bounds tiling number)
+  (define tile (Tiling-tile tiling))
+  (define width (caddr (Tiling-crop tiling)))
+  (define height (cadddr (Tiling-crop tiling)))
+  (define tiles-across (ceiling-quotient width tile))
+  (define x (fx* tile (fxremainder number tiles-across)))
+  (define y (fx* tile (fxquotient number tiles-across)))
+  (values x y (min width (fx+ x tile)) (min height (fx+ y tile))))
+
 ;; A worker: a procedure that brings the pixels of the tile it is given to the samples the film wants,
-;; and the fixnum scratch that holds its counts. It shares nothing it writes with other workers but
-;; places of the film that are its tile's alone. Samples belong by turns to two streams, which are
-;; randomised independently. Where one sample is all a pixel will have (single?) it goes through the
-;; pixel's middle, otherwise samples are spread as the filter's table says, over the pixel without one.
-(: make-tile-worker (-> Tiling Boolean (U #f FlVector) Fixnum Fixnum Fixnum (-> FlVector FxVector Void)
-                        (-> FlVector FxVector Void) FlVector
+;; and the fixnum scratch that holds its counts. A tile is rendered in scratch and then written to the
+;; target as a whole, with its tally. It shares nothing it writes with other workers but places of the
+;; target that are its tile's alone. Samples belong by turns to two streams, which are
+;; randomised independently. samples: how many a pixel gets, #f where the
+;; film says it pass by pass. Where one sample is all a pixel will have it goes through the pixel's middle, otherwise samples are spread as the filter's table says, over the pixel without one.
+(: make-tile-worker (-> Tiling (U #f Fixnum) (U #f FlVector) Fixnum Fixnum Fixnum (-> FlVector FxVector Void)
+                        (-> FlVector FxVector Void) Target
                         (Values (-> Fixnum Void) FxVector)))
-(define (make-tile-worker tiling single? filter sampler grid seed camera-kernel integrator film)
+(define (make-tile-worker tiling samples filter sampler grid seed camera-kernel integrator target)
+  (define single? (eqv? samples 1))
   (define r (make-flonum-registers))
   (define i (make-fixnum-registers))
   (define sums (make-flvector SUMS-SIZE 0.0))
@@ -37,16 +53,17 @@
   (define crop (Tiling-crop tiling))
   (define left (car crop))
   (define top (cadr crop))
-  (define right (fx+ left (caddr crop)))
-  (define bottom (fx+ top (cadddr crop)))
-  (define tiles-across (ceiling-quotient (caddr crop) tile))
+  (define crop-width (caddr crop))
+  (define tallies (Target-tallies target))
+  (define finished? (and (Target-errors target) #t))
+  ;; the tile's own film
+  (define film
+    (make-flvector (fx* (PIXEL-PLACES) (fx* (min tile crop-width) (min tile (cadddr crop)))) 0.0))
   (Sampler-choose! i sampler grid)
 
-  (: render-pixel! (-> Fixnum Fixnum Void))
-  (define (render-pixel! x y)
+  (: render-pixel! (-> Fixnum Fixnum Fixnum Void))
+  (define (render-pixel! x y place)
     (define pixel (fx+ x (fx* y width)))
-    (define place
-      (fx* (PIXEL-PLACES) (fx+ (fx- x left) (fx* (fx- y top) (fx- right left)))))
     (define taken (fl->fx (flvector-ref film (fx+ place (taken-place)))))
     (define wanted (fl->fx (flvector-ref film (fx+ place (wanted-place)))))
     (define rays-before (rays-traced i))
@@ -80,20 +97,84 @@
         (fold (fx+ sample 1))))
     (put-sums! film place sums wanted (fx- (rays-traced i) rays-before)))
 
+  ;; What is done for a pixel of the tile: k is its number in the crop, place where it is in the
+  ;; tile's film.
+  (define-syntax-rule (each-pixel (x0 y0 x1 y1) (x y k place) body)
+    (let rows ([y : Fixnum y0] [start : Fixnum 0])
+      (when (fx< y y1)
+        (let columns ([x : Fixnum x0] [place : Fixnum start])
+          (if (fx< x x1)
+              (let ([k (fx+ x (fx* y crop-width))])
+                body
+                (columns (fx+ x 1) (fx+ place (PIXEL-PLACES))))
+              (rows (fx+ y 1) place))))))
+
+  (: load! (-> Fixnum Fixnum Fixnum Fixnum Void))
+  (define (load! x0 y0 x1 y1)
+    (define from (Target-film target))
+    (each-pixel (x0 y0 x1 y1) (x y k place)
+      (if finished?
+          (start-pixel! film place (if samples (fx->fl samples) 0.0))
+          (copy-pixel! film place from (fx* (PIXEL-PLACES) k)))))
+
+  (: store! (-> Fixnum Fixnum Fixnum Fixnum Void))
+  (define (store! x0 y0 x1 y1)
+    (define to (Target-film target))
+    (each-pixel (x0 y0 x1 y1) (x y k place)
+      (if finished?
+          (Target-finish! target k film place)
+          (copy-pixel! to (fx* (PIXEL-PLACES) k) film place))))
+
+  (: taken-in (-> Fixnum Fixnum Flonum))
+  (define (taken-in columns rows)
+    (define end (fx* (PIXEL-PLACES) (fx* columns rows)))
+    (let each : Flonum ([at : Fixnum (taken-place)] [sum : Flonum 0.0])
+      (if (fx< at end)
+          (each (fx+ at (PIXEL-PLACES)) (fl+ sum (flvector-ref film at)))
+          (fl+ sum 0.0))))
+
   (: render-tile! (-> Fixnum Void))
   (define (render-tile! number)
-    (define x0 (fx+ left (fx* tile (fxremainder number tiles-across))))
-    (define y0 (fx+ top (fx* tile (fxquotient number tiles-across))))
-    (define x1 (if (fx< (fx+ x0 tile) right) (fx+ x0 tile) right))
-    (define y1 (if (fx< (fx+ y0 tile) bottom) (fx+ y0 tile) bottom))
-    (let rows ([y : Fixnum y0])
-      (when (fx< y y1)
-        (let columns ([x : Fixnum x0])
-          (when (fx< x x1)
-            (render-pixel! x y)
-            (columns (fx+ x 1))))
-        (rows (fx+ y 1)))))
+    (define-values (x0 y0 x1 y1) (Tiling-bounds tiling number))
+    (define tally (fx* number (TALLY-PLACES)))
+    (define nearest-before (fxvector-ref i nearest-rays))
+    (define occlusion-before (fxvector-ref i occlusion-rays))
+    (define rejected-before (fxvector-ref i rejected-samples))
+    (fxvector-set! i rejected-pixel 0)
+    (load! x0 y0 x1 y1)
+    (each-pixel (x0 y0 x1 y1) (x y k place)
+      (render-pixel! (fx+ left x) (fx+ top y) place))
+    (define-syntax-rule (add! place amount)
+      (flvector-set! tallies (fx+ tally place) (fl+ (flvector-ref tallies (fx+ tally place)) amount)))
+    (define first (fxvector-ref i rejected-pixel))
+    (define known (flvector-ref tallies (fx+ tally (tally-pixel))))
+    (add! (tally-version) 1.0)
+    (memory-order-release)
+    (store! x0 y0 x1 y1)
+    (add! (tally-nearest) (fx->fl (fx- (fxvector-ref i nearest-rays) nearest-before)))
+    (add! (tally-occlusion) (fx->fl (fx- (fxvector-ref i occlusion-rays) occlusion-before)))
+    (add! (tally-rejected) (fx->fl (fx- (fxvector-ref i rejected-samples) rejected-before)))
+    (when (and (fx> first 0) (or (fl= known 0.0) (fl< (fx->fl first) known)))
+      (flvector-set! tallies (fx+ tally (tally-pixel)) (fx->fl first))
+      (flvector-set! tallies (fx+ tally (tally-sample)) (fx->fl (fxvector-ref i rejected-sample))))
+    (flvector-set! tallies (fx+ tally (tally-taken)) (taken-in (fx- x1 x0) (fx- y1 y0)))
+    (memory-order-release)
+    (add! (tally-version) 1.0))
   (values render-tile! i))
+
+(define-syntax-rule (copy-pixel! to at from place)
+  (let copy ([p : Fixnum 0])
+    (when (fx< p (PIXEL-PLACES))
+      (flvector-set! to (fx+ at p) (flvector-ref from (fx+ place p)))
+      (copy (fx+ p 1)))))
+
+(define-syntax-rule (start-pixel! film place samples)
+  (begin
+    (let clear ([p : Fixnum 0])
+      (when (fx< p (wanted-place))
+        (flvector-set! film (fx+ place p) 0.0)
+        (clear (fx+ p 1))))
+    (flvector-set! film (fx+ place (wanted-place)) samples)))
 
 (define-syntax-rule (first-stream? sample) (fx= 0 (fxand sample 1)))
 

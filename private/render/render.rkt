@@ -1,14 +1,14 @@
 #lang typed/racket/base
 ;; Rendering: a World seen by a Camera becomes an Image, by whatever schedule is asked for.
 (require "../base/unsafe-typed.rkt"
-         "../base/unsafe.rkt" "../base/check.rkt" "../base/registers.rkt"
+         "../base/unsafe.rkt" "../base/check.rkt" "../base/float3.rkt" "../base/registers.rkt"
          "../world/world.rkt" "../world/camera.rkt" "../image/image.rkt" "../image/error.rkt"
          "../integrate/integrators.rkt" "../sample/sampler.rkt" "../sample/filter.rkt"
          "film.rkt" "passes.rkt" "pixel.rkt" "job.rkt" "statistics.rkt")
 
-(provide render render/statistics SCHEDULES default-worker-count MOST-SAMPLES)
+(provide render render/statistics (struct-out Progress) SCHEDULES default-worker-count MOST-SAMPLES)
 
-(define-type Schedule (-> Job FlVector Fixnum (-> Any) (Listof FxVector)))
+(define-type Schedule (-> Job Target Fixnum (-> Any) (Listof FxVector)))
 (unsafe-require/typed "schedule/sequential.rkt" [run-sequential Schedule])
 (unsafe-require/typed "schedule/futures.rkt" [run-futures Schedule])
 (unsafe-require/typed "schedule/lazy.rkt" [run-places Schedule])
@@ -16,10 +16,24 @@
   [raster-image (-> World Camera Fixnum Fixnum Integer (U Symbol (Listof Symbol))
                     (U #f (List Integer Integer Integer Integer))
                     Image)])
+(unsafe-require/typed racket/base
+  [current-inexact-monotonic-milliseconds (-> Flonum)])
 (unsafe-require/typed racket/future
   [processor-count (-> Positive-Fixnum)])
 (unsafe-require/typed racket/flonum
-  [make-shared-flvector (-> Fixnum FlVector)])
+  [make-shared-flvector (-> Fixnum Flonum FlVector)])
+(unsafe-require/typed "schedule/tiles.rkt"
+  [call-with-lock (-> Semaphore (-> Any) Any)])
+(unsafe-require/typed "memory.rkt"
+  [make-pinned-flvector (-> Fixnum Flonum FlVector)]
+  [unpin (-> FlVector Void)]
+  [check-memory (-> Fixnum Fixnum Fixnum Void)])
+
+;; A render that goes on, for whoever watches it or keeps what is done. skip: a byte for each tile, not
+;; 0 for those that are not rendered here. Between passes the film is planned anew: who reads a whole
+;; one holds the lock.
+(struct Progress ([job : Job] [target : Target] [passes : Passes] [skip : Bytes]
+                  [lock : Semaphore]))
 
 (define SCHEDULES : (Listof Symbol) '(sequential futures places))
 
@@ -60,10 +74,16 @@
                        #:error error #:seconds seconds #:seed seed #:sampler sampler
                        #:filter filter #:integrator integrator #:max-depth max-depth
                        #:schedule schedule #:workers workers #:tile tile #:crop crop))
+  (define errors (Image-standard-error image))
+  (unpin (Image-pixels image))
+  (when errors (unpin errors))
   image)
 
-;; The same with Statistics beside the picture. #:watch is called at the start with a procedure
-;; that tells the part that is done, from 0 to 1, and returns a procedure called at the end.
+;; The same with Statistics beside the picture, of which pixels that were not rendered are no numbers.
+;; #:part (list I N): only the tiles whose number has the remainder I - 1 by N. #:prepare is called with
+;; the Progress before the first tile: it may put what is known already into the target. #:watch is
+;; called at the start with a procedure that tells the part that is done, from 0 to 1, and the Progress,
+;; and returns a procedure called at the end. A large picture's flvectors stay where they are for good.
 (: render/statistics
    (->* (World Camera)
         (#:width Integer #:height Integer #:samples (U #f Integer)
@@ -72,7 +92,8 @@
          #:schedule Symbol #:workers Integer #:tile Integer
          #:shading (U Symbol (Listof Symbol))
          #:crop (U #f (List Integer Integer Integer Integer))
-         #:watch (-> (-> Real) (-> Void)))
+         #:part (U #f (List Integer Integer)) #:prepare (-> Progress Any)
+         #:watch (-> (-> Real) Progress (-> Void)))
         (Values Image Statistics)))
 (define (render/statistics world camera #:width [width 640] #:height [height 360]
                            #:samples [samples #f] #:error [error #f] #:seconds [seconds #f]
@@ -80,13 +101,15 @@
                            #:integrator [integrator 'auto] #:max-depth [max-depth #f]
                            #:schedule [schedule 'futures]
                            #:workers [workers (default-worker-count)] #:tile [tile 16]
-                           #:shading [shading 'phong] #:crop [crop #f] #:watch [watch (lambda (done) void)])
+                           #:shading [shading 'phong] #:crop [crop #f]
+                           #:part [part #f] #:prepare [prepare void]
+                           #:watch [watch (lambda (done progress) void)])
   (define columns (check-count 'render "width" width 1 100000))
   (define rows (check-count 'render "height" height 1 100000))
   (if (eq? integrator 'raster)
       (raster/statistics world camera columns rows samples error seconds shading crop)
       (trace/statistics world camera columns rows samples error seconds seed sampler filter integrator
-                        max-depth schedule workers tile crop watch)))
+                        max-depth schedule workers tile crop part prepare watch)))
 
 ;; A picture without rays, and how long it took.
 (: raster/statistics (-> World Camera Fixnum Fixnum (U #f Integer) (U #f Real) (U #f Real)
@@ -112,10 +135,10 @@
 (: trace/statistics
    (-> World Camera Fixnum Fixnum (U #f Integer) (U #f Real) (U #f Real) Integer Symbol Symbol Symbol
        (U #f Integer) Symbol Integer Integer (U #f (List Integer Integer Integer Integer))
-       (-> (-> Real) (-> Void))
+       (U #f (List Integer Integer)) (-> Progress Any) (-> (-> Real) Progress (-> Void))
        (Values Image Statistics)))
 (define (trace/statistics world camera columns rows samples error seconds seed sampler filter
-                          integrator max-depth schedule workers tile crop watch)
+                          integrator max-depth schedule workers tile crop part prepare watch)
   (define goal
     (Goal (check-count 'render "samples" (or samples (if (or error seconds) MOST-SAMPLES 16))
                        1 1000000000)
@@ -141,46 +164,66 @@
     (raise-expected 'render "samples" "at least 2 where the error is shown" samples))
   (sampler-number sampler)
   (check-filter filter)
-  (define start (current-inexact-milliseconds))
+  (check-memory (Job-bytes job) (caddr area) (cadddr area))
+  (define start (current-inexact-monotonic-milliseconds))
   (unless (eq? schedule 'places) (World-scene world))
-  (define built (current-inexact-milliseconds))
+  (define built (current-inexact-monotonic-milliseconds))
   (define processor-start (current-process-milliseconds))
-  (define film
-    (if (eq? schedule 'places)
-        (make-shared-flvector (Job-film-size job))
-        (make-flvector (Job-film-size job) 0.0)))
-  (define passes (make-passes film (caddr area) (Job-tile-count job) goal))
-  (define finish (watch (Passes-progress passes)))
-  (define counts (run job film worker-count (Passes-next passes)))
+  (define target
+    (Job-target job (if (eq? schedule 'places) make-shared-flvector make-pinned-flvector)))
+  (define count (Job-tile-count job))
+  (define skip (make-bytes count 0))
+  (when part
+    (for ([tile (in-range count)])
+      (unless (= (remainder tile (cadr part)) (- (car part) 1)) (bytes-set! skip tile 1))))
+  (define passes
+    (make-passes (if (Target-errors target) #f (Target-film target)) (caddr area) count goal skip))
+  (define lock (make-semaphore 1))
+  (define progress (Progress job target passes skip lock))
+  (prepare progress)
+  (define finish (watch (Passes-progress passes) progress))
+  (define next (Passes-next passes))
+  ;; a plan that a break cuts off would leave a film that cannot be gone on with
+  (run job target worker-count
+       (lambda () (call-with-lock lock next)))
   (finish)
-  (: total (-> Fixnum Fixnum))
-  (define (total place)
-    (for/fold ([sum : Fixnum 0]) ([i (in-list counts)]) (fx+ sum (fxvector-ref i place))))
-  (define image (Film-image film (caddr area) (cadddr area)))
+  (define image (Target-image target (caddr area) (cadddr area)))
+  (define-values (rejected-pixel-number sample) (Target-first-rejected target))
   (values
-   (case integrator
-     [(cost) (Film-cost-image film (caddr area) (cadddr area))]
-     [(error) (Film-error-image film (caddr area) (cadddr area))]
-     [else image])
-   (Statistics (fx* (caddr area) (cadddr area)) (fl->fx (Film-samples film))
-               (total nearest-rays) (total occlusion-rays) (total rejected-samples)
-               (first-rejected counts columns)
-               (Image-relative-error image) (Image-relative-error-uncertainty image)
+   (if (eq? integrator 'error) (error-image image) image)
+   (Statistics (if part
+                   (for/fold ([sum : Fixnum 0]) ([tile (in-range count)])
+                     (cond
+                       [(= (remainder tile (cadr part)) (- (car part) 1))
+                        (define-values (x0 y0 x1 y1) (Tiling-bounds tiling (assert tile fixnum?)))
+                        (fx+ sum (fx* (fx- x1 x0) (fx- y1 y0)))]
+                       [else sum]))
+                   (fx* (caddr area) (cadddr area)))
+               (Target-total target (tally-taken))
+               (Target-total target (tally-nearest)) (Target-total target (tally-occlusion))
+               (Target-total target (tally-rejected))
+               (and (fx> rejected-pixel-number 0)
+                    (list (fxremainder (fx- rejected-pixel-number 1) columns)
+                          (fxquotient (fx- rejected-pixel-number 1) columns) sample))
+               (if part #f (Image-relative-error image))
+               (if part #f (Image-relative-error-uncertainty image))
                ((Passes-count passes)) ((Passes-stopped-by passes))
                (fl/ (fl- built start) 1000.0)
-               (fl/ (fl- (current-inexact-milliseconds) built) 1000.0)
+               (cadr ((Passes-state passes)))
                (fl/ (fx->fl (fx- (current-process-milliseconds) processor-start)) 1000.0))))
 
-(: first-rejected (-> (Listof FxVector) Fixnum (U #f (List Fixnum Fixnum Fixnum))))
-(define (first-rejected counts width)
-  (define-values (pixel sample)
-    (for/fold ([pixel : Fixnum 0] [sample : Fixnum 0]) ([i (in-list counts)])
-      (define other (fxvector-ref i rejected-pixel))
-      (if (and (fx> other 0) (or (fx= pixel 0) (fx< other pixel)))
-          (values other (fxvector-ref i rejected-sample))
-          (values pixel sample))))
-  (and (fx> pixel 0)
-       (list (fxremainder (fx- pixel 1) width) (fxquotient (fx- pixel 1) width) sample)))
+;; Greys that tell the root of the mean squared standard error of a pixel's channels.
+(: error-image (-> Image Image))
+(define (error-image image)
+  (define errors (assert (Image-standard-error image)))
+  (define pixels (make-flvector (flvector-length errors) 0.0))
+  (let each ([at : Fixnum 0])
+    (when (fx< at (flvector-length errors))
+      (let-float3 ([e (Float3-in errors at)])
+        (let ([grey (flsqrt (fl/ (Float3-length-squared e) 3.0))])
+          (Float3-put! pixels at (Float3 grey grey grey))))
+      (each (fx+ at 3))))
+  (make-Image (Image-width image) (Image-height image) pixels))
 
 (: check-crop (-> (List Integer Integer Integer Integer) Fixnum Fixnum
                   (List Fixnum Fixnum Fixnum Fixnum)))

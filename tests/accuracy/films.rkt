@@ -6,7 +6,7 @@
          "../../private/render/pixel.rkt" "../../private/render/passes.rkt")
 
 (unsafe-require/typed "../../private/render/schedule/sequential.rkt"
-  [run-sequential (-> Job FlVector Fixnum (-> Any) Any)])
+  [run-sequential (-> Job Target Fixnum (-> Any) Any)])
 
 (provide film-samples)
 
@@ -16,10 +16,11 @@
 (define (film-samples world camera width height error)
   (define job
     (Job world camera (Tiling width height 16 (list 0 0 width height)) #f 0 'owen-sobol 'box 'auto #f))
-  (define film (make-flvector (Job-film-size job) 0.0))
+  (define target (Job-target job (lambda ([size : Fixnum] [value : Flonum]) (make-flvector size value))))
+  (define film (Target-film target))
   (define passes
     (make-passes film width (Job-tile-count job) (Goal MOST-SAMPLES error #f)))
-  (run-sequential job film 1 (Passes-next passes))
+  (run-sequential job target 1 (Passes-next passes))
   (for/vector : (Vectorof Flonum)
               ([at (in-range (taken-place) (flvector-length film) (PIXEL-PLACES))])
     (flvector-ref film at)))

@@ -5,10 +5,10 @@
 (provide run-futures)
 
 ;; run-futures : as run-sequential, by as many workers as asked for.
-(define (run-futures job film workers next-pass)
+(define (run-futures job target workers next-pass)
   (define-values (procedures counts)
     (for/lists (procedures counts) ([k (in-range workers)])
-      (Job-worker job film)))
+      (Job-worker job target)))
   (let pass ()
     (define counter (next-pass))
     (when counter

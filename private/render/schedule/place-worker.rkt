@@ -1,6 +1,6 @@
 #lang racket/base
 ;; The other end of places.rkt: renders tiles of the job it is sent.
-(require racket/place racket/fixnum "../job.rkt" "../transport.rkt")
+(require racket/place racket/fixnum "../film.rkt" "../job.rkt" "../transport.rkt")
 
 (provide main)
 
@@ -10,7 +10,8 @@
   (define order (place-channel-get channel))
   (define (answer kind value) (place-channel-put channel (cons kind value)))
   (with-handlers ([exn:fail? (lambda (e) (answer 'failed (exn-message e)))])
-    (define-values (render-tile! counts) (Job-worker (message->value (car order)) (cadr order)))
+    (define-values (render-tile! counts) 
+      (Job-worker (message->value (car order)) (apply Target (cdr order))))
     (let loop ()
       (define tile (place-channel-get channel))
       (when tile

@@ -2,20 +2,20 @@
 ;; Workers in places: separate heaps in this process, which collect garbage by themselves. The world
 ;; goes there as a message (see transport.rkt) and is compiled there; the film is shared memory.
 (require racket/place racket/runtime-path racket/flonum racket/fixnum
-         "../job.rkt" "../transport.rkt" "tiles.rkt")
+         "../film.rkt" "../transport.rkt" "tiles.rkt")
 
 (provide run-places)
 
 (define-runtime-path place-worker "place-worker.rkt")
 
-;; run-places : as run-futures. `film` must be a shared flvector. A worker asks for a tile, renders
+;; run-places : as run-futures. The target's flvectors must be shared. A worker asks for a tile, renders
 ;; it and asks again; what it raises stops all of them and is raised here.
-(define (run-places job film workers next-pass)
+(define (run-places job target workers next-pass)
   (define message (value->message job))
   (define places
     (for/list ([k (in-range workers)])
       (define channel (dynamic-place place-worker 'main))
-      (place-channel-put channel (list message film))
+      (place-channel-put channel (list message (Target-film target) (Target-errors target) (Target-tallies target)))
       channel))
   (dynamic-wind
    void
@@ -52,6 +52,7 @@
 (define (serve channel fail! counter)
   (define tile (take-tile! counter))
   (when (and tile (ask channel tile fail!))
+    (tile-done! counter)
     (serve channel fail! counter)))
 
 ;; Sends a tile, or #f for "no more", and waits for the answer; #f where there is none.

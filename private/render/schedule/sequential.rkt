@@ -4,11 +4,11 @@
 
 (provide run-sequential)
 
-;; run-sequential : renders the job into the film, pass by pass; a list of what workers counted.
+;; run-sequential : renders the job into the target, pass by pass; a list of what workers counted.
 ;; next-pass gives the counter of the tiles of another pass, or #f when there is none; it is called
 ;; when the workers have finished the last one.
-(define (run-sequential job film workers next-pass)
-  (define-values (render-tile! counts) (Job-worker job film))
+(define (run-sequential job target workers next-pass)
+  (define-values (render-tile! counts) (Job-worker job target))
   (let pass ()
     (define counter (next-pass))
     (when counter
