@@ -89,6 +89,9 @@
                  (("Render the I-th of N parts into a file that `raco raytrace merge` takes;"
                    "by default the scene's name with .I-of-N.part")
                   "I/N")])
+    (help-labels "" "A pixel where a function of the scene raises twice is told and left magenta, (1, 0, 1):" "")
+    (once-each
+     [("--strict") ,(switch 'strict) ("Stop at such a pixel instead, with one line")])
     (help-labels "" "What is told on standard error:" "")
     (once-each
      [("--stats") ,(switch 'stats) ("Counts and times")]

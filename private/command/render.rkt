@@ -87,7 +87,8 @@
                  #:samples 1 #:integrator integrator #:max-depth max-depth #:schedule 'sequential)))
   (define (render-it watch)
     (with-handlers ([exn:fail? (lambda (e) (raise-user-error
-                                            (if (exn:fail:user? e)
+                                            (if (and (exn:fail:user? e)
+                                                     (not (hash-ref options 'strict #f)))
                                                 (exn-message e)
                                                 (format "~a: ~a" word (exn-message e)))))])
       (parameterize ([current-output-port (current-error-port)])
@@ -96,6 +97,8 @@
                            #:seed seed #:crop crop #:sampler sampler #:filter filter
                            #:integrator integrator #:max-depth max-depth
                            #:schedule schedule #:workers workers #:tile tile
+                           #:strict? (hash-ref options 'strict #f)
+                           #:scene (and (not (mesh-file? path)) path)
                            #:part part #:prepare prepare
                            #:watch (lambda (done progress)
                                      (watch done (progress->live progress)))))))
@@ -132,6 +135,7 @@
                            'errorWanted error 'secondsWanted seconds 'crop crop
                            'stoppedBy (Statistics-stopped-by statistics))
                    statistics))
+  (report-faults word seed statistics)
   (unless quiet? (report-line report))
   (when (option 'stats #f)
     (report-table report)

@@ -7,11 +7,12 @@
 
 (provide (struct-out Job) Job-tile-count Job-target Job-bytes Job-worker)
 
-;; samples: how many a pixel gets, #f where the film says it pass by pass. sampler, filter and
+;; scene: the file of a module that provides the world, where it is known. samples: how many a pixel gets, #f where the film says it pass by pass. sampler, filter and
 ;; integrator by name.
 (struct Job ([world : World] [camera : Camera] [tiling : Tiling]
              [samples : (U #f Fixnum)] [seed : Fixnum] [sampler : Symbol] [filter : Symbol]
-             [integrator : Symbol] [max-depth : (U #f Fixnum)])
+             [integrator : Symbol] [max-depth : (U #f Fixnum)]
+             [scene : (U #f String)])
   #:transparent)
 
 (: Job-tile-count (-> Job Fixnum))
@@ -58,9 +59,9 @@
     [else (MOST-CELLS)]))
 
 ;; A worker with a scratch of its own: a procedure that renders the tile it is given into the target,
-;; and the registers that count what it did.
-(: Job-worker (-> Job Target (Values (-> Fixnum Void) FxVector)))
-(define (Job-worker job target)
+;; or into one that holds a single tile (alone?); see pixel.rkt.
+(: Job-worker (->* (Job Target) (Boolean) (-> Fixnum (U #f Guard) Void)))
+(define (Job-worker job target [alone? #f])
   (define tiling (Job-tiling job))
   (define width (Tiling-width tiling))
   (define height (Tiling-height tiling))
@@ -70,4 +71,4 @@
                     (Camera-kernel (Camera-fitted (Job-camera job) (/ width height)) width height
                                    (ormap Shape-moves? (World-shapes world)))
                     (World-integrator world (Job-integrator job) (Job-max-depth job))
-                    target))
+                    target alone?))

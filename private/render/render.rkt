@@ -8,7 +8,7 @@
 
 (provide render render/statistics (struct-out Progress) SCHEDULES default-worker-count MOST-SAMPLES)
 
-(define-type Schedule (-> Job Target Fixnum (-> Any) (Listof FxVector)))
+(define-type Schedule (-> Job Target Fixnum (-> Any) (-> Fixnum Any Void) Any))
 (unsafe-require/typed "schedule/sequential.rkt" [run-sequential Schedule])
 (unsafe-require/typed "schedule/futures.rkt" [run-futures Schedule])
 (unsafe-require/typed "schedule/lazy.rkt" [run-places Schedule])
@@ -16,10 +16,11 @@
   [current-inexact-monotonic-milliseconds (-> Flonum)])
 (unsafe-require/typed racket/future
   [processor-count (-> Positive-Fixnum)])
-(unsafe-require/typed racket/flonum
-  [make-shared-flvector (-> Fixnum Flonum FlVector)])
 (unsafe-require/typed "schedule/tiles.rkt"
   [call-with-lock (-> Semaphore (-> Any) Any)])
+(unsafe-require/typed "faults.rkt"
+  [make-faults (-> Boolean Fixnum Fixnum (Values (-> Fixnum Any Void)
+                                                 (-> (Listof (List String Fixnum Fixnum)))))])
 (unsafe-require/typed "memory.rkt"
   [make-pinned-flvector (-> Fixnum Flonum FlVector)]
   [unpin (-> FlVector Void)]
@@ -46,25 +47,31 @@
 ;; same seed gives the same picture, to the bit, whatever the schedule, workers and tile (but not with
 ;; #:seconds). #:max-depth bounces of a path, #f for no limit. #:schedule one of SCHEDULES. #:crop
 ;; (list x y width height) renders only that part.
+;; A pixel where a function of the scene raises twice is left magenta, (1, 0, 1); with #:strict? the
+;; render stops there instead. #:scene the file of a module that provides `world`: workers elsewhere
+;; load it where the world holds functions.
 ;; Raises exn:fail:contract on numbers out of range.
 (: render (->* (World Camera)
                (#:width Integer #:height Integer #:samples (U #f Integer)
                 #:error (U #f Real) #:seconds (U #f Real) #:seed Integer
                 #:sampler Symbol #:filter Symbol #:integrator Symbol #:max-depth (U #f Integer)
                 #:schedule Symbol #:workers Integer #:tile Integer
-                #:crop (U #f (List Integer Integer Integer Integer)))
+                #:crop (U #f (List Integer Integer Integer Integer))
+                #:strict? Boolean #:scene (U #f Path-String))
                Image))
 (define (render world camera #:width [width 640] #:height [height 360] #:samples [samples #f]
                 #:error [error #f] #:seconds [seconds #f] #:seed [seed 0]
                 #:sampler [sampler 'owen-sobol] #:filter [filter 'box]
                 #:integrator [integrator 'auto]
                 #:max-depth [max-depth #f] #:schedule [schedule 'futures]
-                #:workers [workers (default-worker-count)] #:tile [tile 16] #:crop [crop #f])
+                #:workers [workers (default-worker-count)] #:tile [tile 16] #:crop [crop #f]
+                #:strict? [strict? #f] #:scene [scene #f])
   (define-values (image statistics)
     (render/statistics world camera #:width width #:height height #:samples samples
                        #:error error #:seconds seconds #:seed seed #:sampler sampler
                        #:filter filter #:integrator integrator #:max-depth max-depth
-                       #:schedule schedule #:workers workers #:tile tile #:crop crop))
+                       #:schedule schedule #:workers workers #:tile tile #:crop crop
+                       #:strict? strict? #:scene scene))
   (define errors (Image-standard-error image))
   (unpin (Image-pixels image))
   (when errors (unpin errors))
@@ -82,6 +89,7 @@
          #:sampler Symbol #:filter Symbol #:integrator Symbol #:max-depth (U #f Integer)
          #:schedule Symbol #:workers Integer #:tile Integer
          #:crop (U #f (List Integer Integer Integer Integer))
+         #:strict? Boolean #:scene (U #f Path-String)
          #:part (U #f (List Integer Integer)) #:prepare (-> Progress Any)
          #:watch (-> (-> Real) Progress (-> Void)))
         (Values Image Statistics)))
@@ -91,7 +99,8 @@
                            #:integrator [integrator 'auto] #:max-depth [max-depth #f]
                            #:schedule [schedule 'futures]
                            #:workers [workers (default-worker-count)] #:tile [tile 16]
-                           #:crop [crop #f] #:part [part #f] #:prepare [prepare void]
+                           #:crop [crop #f] #:strict? [strict? #f] #:scene [scene #f]
+                           #:part [part #f] #:prepare [prepare void]
                            #:watch [watch (lambda (done progress) void)])
   (define columns (check-count 'render "width" width 1 100000))
   (define rows (check-count 'render "height" height 1 100000))
@@ -108,7 +117,8 @@
   (define tiling (Tiling columns rows tile-side area))
   (define job (Job world camera tiling (if (or error seconds) #f (Goal-samples goal)) seed32 sampler
                    filter integrator
-                   (and max-depth (check-count 'render "max-depth" max-depth 0 1000000000))))
+                   (and max-depth (check-count 'render "max-depth" max-depth 0 1000000000))
+                   (and scene (path->string (path->complete-path scene)))))
   (define run
     (case schedule
       [(sequential) run-sequential]
@@ -124,7 +134,7 @@
   (define built (current-inexact-monotonic-milliseconds))
   (define processor-start (current-process-milliseconds))
   (define target
-    (Job-target job (if (eq? schedule 'places) make-shared-flvector make-pinned-flvector)))
+    (Job-target job make-pinned-flvector))
   (define count (Job-tile-count job))
   (define skip (make-bytes count 0))
   (when part
@@ -138,8 +148,8 @@
   (define finish (watch (Passes-progress passes) progress))
   (define next (Passes-next passes))
   ;; a plan that a break cuts off would leave a film that cannot be gone on with
-  (run job target worker-count
-       (lambda () (call-with-lock lock next)))
+  (define-values (report-fault! faults) (make-faults strict? columns seed32))
+  (run job target worker-count (lambda () (call-with-lock lock next)) report-fault!)
   (finish)
   (define image (Target-image target (caddr area) (cadddr area)))
   (define-values (rejected-pixel-number sample) (Target-first-rejected target))
@@ -151,6 +161,7 @@
                (and (fx> rejected-pixel-number 0)
                     (list (fxremainder (fx- rejected-pixel-number 1) columns)
                           (fxquotient (fx- rejected-pixel-number 1) columns) sample))
+               (Target-total target (tally-failed)) (faults)
                (if part #f (Image-relative-error image))
                (if part #f (Image-relative-error-uncertainty image))
                ((Passes-count passes)) ((Passes-stopped-by passes))
