@@ -69,7 +69,9 @@
                  ("Render only this part of the picture" "X,Y,W,H")])
     (help-labels "" "These change how fast the picture comes, and not one bit of it:" "")
     (once-each
-     [("--schedule") ,(name-flag 'schedule) ("sequential, futures (the default) or places" "name")]
+     [("--schedule") ,(name-flag 'schedule) (("sequential, futures (the default), places, or hosts:FILE: over ssh on the hosts of a file,"
+                       "each line [user@]host[:port] [workers] [racket]")
+                      "name")]
      [("--workers") ,(count-flag 'workers check-workers)
                     ("How many at a time; by default one for each processor" "n")]
      [("--tile") ,(count-flag 'tile check-tile)

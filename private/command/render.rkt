@@ -8,6 +8,7 @@
 
 (lazy-require ["studio.rkt" (load-studio)]
               ["needs.rkt" (scene-needs)]
+              ["../render/schedule/hosts.rkt" (read-hosts)]
               ["keeper.rkt" (render-settings checkpoint-path checkpoint-load! checkpoint-save
                              call-with-saver checkpoint-delete write-part)])
 
@@ -60,7 +61,12 @@
   (define integrator (named-option 'integrator 'auto INTEGRATORS))
   (define sampler (named-option 'sampler 'owen-sobol SAMPLERS))
   (define filter (named-option 'filter 'box FILTERS))
-  (define schedule (named-option 'schedule 'futures SCHEDULES))
+  (define hosts
+    (let ([found (regexp-match #rx"^hosts:(.+)$" (symbol->string (option 'schedule 'futures)))])
+      (and found (cadr found))))
+  (define schedule
+    (if hosts 'hosts (named-option 'schedule 'futures (remq 'hosts SCHEDULES))))
+  (when hosts (read-hosts hosts))
   (define workers (option 'workers (default-worker-count)))
   (define tile (option 'tile 16))
   (define max-depth (option 'max-depth #f))
@@ -97,7 +103,7 @@
                            #:seed seed #:crop crop #:sampler sampler #:filter filter
                            #:integrator integrator #:max-depth max-depth
                            #:schedule schedule #:workers workers #:tile tile
-                           #:strict? (hash-ref options 'strict #f)
+                           #:hosts hosts #:strict? (hash-ref options 'strict #f)
                            #:scene (and (not (mesh-file? path)) path)
                            #:part part #:prepare prepare
                            #:watch (lambda (done progress)

@@ -11,7 +11,8 @@
 (define-type Schedule (-> Job Target Fixnum (-> Any) (-> Fixnum Any Void) Any))
 (unsafe-require/typed "schedule/sequential.rkt" [run-sequential Schedule])
 (unsafe-require/typed "schedule/futures.rkt" [run-futures Schedule])
-(unsafe-require/typed "schedule/lazy.rkt" [run-places Schedule])
+(unsafe-require/typed "schedule/lazy.rkt" [run-places Schedule]
+  [run-hosts (-> Path-String Schedule)])
 (unsafe-require/typed racket/base
   [current-inexact-monotonic-milliseconds (-> Flonum)])
 (unsafe-require/typed racket/future
@@ -32,7 +33,7 @@
 (struct Progress ([job : Job] [target : Target] [passes : Passes] [skip : Bytes]
                   [lock : Semaphore]))
 
-(define SCHEDULES : (Listof Symbol) '(sequential futures places))
+(define SCHEDULES : (Listof Symbol) '(sequential futures places hosts))
 
 ;; As many workers as the machine has processors.
 (: default-worker-count (-> Positive-Fixnum))
@@ -49,7 +50,7 @@
 ;; (list x y width height) renders only that part.
 ;; A pixel where a function of the scene raises twice is left magenta, (1, 0, 1); with #:strict? the
 ;; render stops there instead. #:scene the file of a module that provides `world`: workers elsewhere
-;; load it where the world holds functions.
+;; load it where the world holds functions. #:hosts the file of hosts for the schedule 'hosts.
 ;; Raises exn:fail:contract on numbers out of range.
 (: render (->* (World Camera)
                (#:width Integer #:height Integer #:samples (U #f Integer)
@@ -57,7 +58,7 @@
                 #:sampler Symbol #:filter Symbol #:integrator Symbol #:max-depth (U #f Integer)
                 #:schedule Symbol #:workers Integer #:tile Integer
                 #:crop (U #f (List Integer Integer Integer Integer))
-                #:strict? Boolean #:scene (U #f Path-String))
+                #:strict? Boolean #:scene (U #f Path-String) #:hosts (U #f Path-String))
                Image))
 (define (render world camera #:width [width 640] #:height [height 360] #:samples [samples #f]
                 #:error [error #f] #:seconds [seconds #f] #:seed [seed 0]
@@ -65,13 +66,13 @@
                 #:integrator [integrator 'auto]
                 #:max-depth [max-depth #f] #:schedule [schedule 'futures]
                 #:workers [workers (default-worker-count)] #:tile [tile 16] #:crop [crop #f]
-                #:strict? [strict? #f] #:scene [scene #f])
+                #:strict? [strict? #f] #:scene [scene #f] #:hosts [hosts #f])
   (define-values (image statistics)
     (render/statistics world camera #:width width #:height height #:samples samples
                        #:error error #:seconds seconds #:seed seed #:sampler sampler
                        #:filter filter #:integrator integrator #:max-depth max-depth
                        #:schedule schedule #:workers workers #:tile tile #:crop crop
-                       #:strict? strict? #:scene scene))
+                       #:strict? strict? #:scene scene #:hosts hosts))
   (define errors (Image-standard-error image))
   (unpin (Image-pixels image))
   (when errors (unpin errors))
@@ -89,7 +90,7 @@
          #:sampler Symbol #:filter Symbol #:integrator Symbol #:max-depth (U #f Integer)
          #:schedule Symbol #:workers Integer #:tile Integer
          #:crop (U #f (List Integer Integer Integer Integer))
-         #:strict? Boolean #:scene (U #f Path-String)
+         #:strict? Boolean #:scene (U #f Path-String) #:hosts (U #f Path-String)
          #:part (U #f (List Integer Integer)) #:prepare (-> Progress Any)
          #:watch (-> (-> Real) Progress (-> Void)))
         (Values Image Statistics)))
@@ -99,7 +100,7 @@
                            #:integrator [integrator 'auto] #:max-depth [max-depth #f]
                            #:schedule [schedule 'futures]
                            #:workers [workers (default-worker-count)] #:tile [tile 16]
-                           #:crop [crop #f] #:strict? [strict? #f] #:scene [scene #f]
+                           #:crop [crop #f] #:strict? [strict? #f] #:scene [scene #f] #:hosts [hosts #f]
                            #:part [part #f] #:prepare [prepare void]
                            #:watch [watch (lambda (done progress) void)])
   (define columns (check-count 'render "width" width 1 100000))
@@ -124,13 +125,14 @@
       [(sequential) run-sequential]
       [(futures) run-futures]
       [(places) run-places]
+      [(hosts) (if hosts (run-hosts hosts) (raise-expected 'render "hosts" "a file" hosts))]
       [else (raise-expected 'render "schedule" (format "one of ~a" SCHEDULES) schedule)]))
   (check-integrator integrator)
   (sampler-number sampler)
   (check-filter filter)
   (check-memory (Job-bytes job) (caddr area) (cadddr area))
   (define start (current-inexact-monotonic-milliseconds))
-  (unless (eq? schedule 'places) (World-scene world))
+  (unless (memq schedule '(places hosts)) (World-scene world))
   (define built (current-inexact-monotonic-milliseconds))
   (define processor-start (current-process-milliseconds))
   (define target

@@ -5,8 +5,8 @@
 
 (provide run-crew (struct-out crew-worker) least-stall-seconds)
 
-;; A worker: start! gets it going and returns when it can be given tiles; raises exn:fail if it never
-;; will, returns #f if it is lost. render! is given a tile and the desk with it and a number of seconds
+;; A worker: start! gets it going and returns when it can be given tiles, or #f when it never will or the
+;; procedure it is given returns true. render! is given a tile and the desk with it and a number of seconds
 ;; or #f: returns the faults, or the symbol 'dead or 'stalled. stop! ends it for good.
 (struct crew-worker (desk start! render! stop!))
 
@@ -38,7 +38,7 @@
                         LOSSES))
        (tile-done! counter)]))
   (define (serve worker counter going?)
-    (define tile (and (or going? ((crew-worker-start! worker))) (wait-for-tile counter)))
+    (define tile (and (or going? ((crew-worker-start! worker) (lambda () (tiles-finished? counter)))) (wait-for-tile counter)))
     (when tile
       (define desk (crew-worker-desk worker))
       (desk-lend! desk job target tile)

@@ -5,7 +5,7 @@
          "../../world/world.rkt" "../../base/float3.rkt")
 
 (provide make-desk desk-lend! desk-commit! desk-fail! desk->list list->desk desk->bytes bytes->desk!
-         job->order order->job)
+         job->order order->job Job-with-world)
 
 ;; make-desk : a Target that holds any one tile of the job's. make: as make-flvector.
 (define (make-desk job target make)
@@ -15,7 +15,7 @@
   (define pixels (* (min side (caddr crop)) (min side (cadddr crop))))
   (define errors (Target-errors target))
   (Target (make (* (target-places target) pixels) 0.0)
-          (and errors (make (if (zero? (flvector-length errors)) 0 (* 3 pixels)) 0.0))
+          (and errors (make (if (eqv? 1 (Job-samples job)) 0 (* 3 pixels)) 0.0))
           (make tally-places 0.0)))
 
 (define (target-places target) (if (Target-errors target) 3 pixel-places))
@@ -123,11 +123,11 @@
 (define (job->order job)
   (with-handlers ([(lambda (e) (and (exn:fail:user? e) (Job-scene job)))
                    (lambda (e)
-                     (list (value->message (with-world job (make-World '() '() (make-Float3 0 0 0))))
+                     (list (value->message (Job-with-world job (make-World '() '() (make-Float3 0 0 0))))
                            (Job-scene job)))])
     (list (value->message job) #f)))
 
-(define (with-world job world)
+(define (Job-with-world job world)
   (Job world (Job-camera job) (Job-tiling job) (Job-samples job) (Job-seed job) (Job-sampler job)
        (Job-filter job) (Job-integrator job) (Job-max-depth job) (Job-scene job)))
 
@@ -135,5 +135,5 @@
   (define job (message->value (car order)))
   (define scene (cadr order))
   (if scene
-      (with-world job (dynamic-require (string->path scene) 'world))
+      (Job-with-world job (dynamic-require (string->path scene) 'world))
       job))

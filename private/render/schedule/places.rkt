@@ -29,7 +29,7 @@
     (when place
       (place-kill place)
       (set! place #f)))
-  (define (start!)
+  (define (start! finished?)
     (or place
         (let try ([left MOST-FAILED-STARTS])
           (when (zero? left) (error "worker places end before the first tile"))

@@ -5,7 +5,7 @@
 ;; raises if the render shall stop there. A tile is a transaction: it is rendered in scratch and written
 ;; to the target as a whole, its version (see Target) odd meanwhile; only then it counts as done. A tile
 ;; that was lost is given back and done again by whoever takes it next, with the same bits.
-(provide make-tile-counter take-tile! wait-for-tile give-back! tile-done! tiles-done
+(provide make-tile-counter take-tile! wait-for-tile give-back! tile-done! tiles-done tiles-finished?
          tile-counter-stop! work render-carefully! render-with-faults call-with-lock fault? call-without-exit)
 
 ;; skip: bytes, not 0 for the tiles that are not to be rendered, or #f. lost: tiles given back. done:
@@ -38,8 +38,7 @@
 ;; The same where workers may be lost: #f only when every tile is done or the render was stopped.
 (define (wait-for-tile counter)
   (or (take-tile! counter)
-      (and (not (tile-counter-stopped? counter))
-           (< (tiles-done counter) (tile-counter-due counter))
+      (and (not (tiles-finished? counter))
            (begin
              (sleep PAUSE-SECONDS)
              (wait-for-tile counter)))))
@@ -59,6 +58,10 @@
 
 ;; How many tiles have been rendered.
 (define (tiles-done counter) (unbox (tile-counter-done counter)))
+
+;; Whether there is nothing left to do.
+(define (tiles-finished? counter)
+  (or (tile-counter-stopped? counter) (>= (tiles-done counter) (tile-counter-due counter))))
 
 (define (tile-counter-stop! counter) (set-tile-counter-stopped?! counter #t))
 
