@@ -3,16 +3,16 @@
 ;; done again by another.
 (require "tiles.rkt" "desk.rkt")
 
-(provide run-crew (struct-out crew-worker) least-stall-seconds)
+(provide run-crew (struct-out crew-worker) least-stall-seconds stall-factor)
 
 ;; A worker: start! gets it going and returns when it can be given tiles, or #f when it never will or the
 ;; procedure it is given returns true. render! is given a tile and the desk with it and a number of seconds
 ;; or #f: returns the faults, or the symbol 'dead or 'stalled. stop! ends it for good.
 (struct crew-worker (desk start! render! stop!))
 
-;; A worker stalls when it is at a tile for STALL times as long as any tile took so far, and for so many
+;; A worker stalls when it is at a tile for so many times as long as any tile took so far, and for so many
 ;; seconds at least; after each loss of a tile it may take twice as long.
-(define STALL 100.0)
+(define stall-factor (make-parameter 100.0))
 (define least-stall-seconds (make-parameter 60.0))
 
 ;; A tile that loses as many workers is left in the error colour.
@@ -24,10 +24,11 @@
 (define (run-crew job target workers next-pass report!)
   (define longest #f)
   (define least (least-stall-seconds))
+  (define factor (stall-factor))
   (define losses (make-hasheqv))
   (define (allowance tile)
     (and longest
-         (* (max least (* STALL longest)) (expt 2 (hash-ref losses tile 0)))))
+         (* (max least (* factor longest)) (expt 2 (hash-ref losses tile 0)))))
   (define (lost! worker tile why counter)
     (hash-update! losses tile add1 0)
     (cond

@@ -4,11 +4,11 @@
 ;; there. A place shares memory with this one for one tile only, so that it may end at any moment.
 (require racket/place racket/runtime-path racket/flonum "../job.rkt" "crew.rkt" "desk.rkt")
 
-(provide run-places place-watch least-stall-seconds)
+(provide run-places place-watch least-stall-seconds stall-factor)
 
 (define-runtime-path place-worker "place-worker.rkt")
 
-;; Called with each place that is started.
+;; Called with each place that is ready for its first tile.
 (define place-watch (make-parameter void))
 
 ;; run-places : as run-futures; places that end or stall are replaced.
@@ -21,7 +21,7 @@
             next-pass report!))
 
 ;; Places that end before they are ready, one after the other, with which the render ends.
-(define MOST-FAILED-STARTS 5)
+(define MOST-FAILED-STARTS 10)
 
 (define (make-place-worker order desk watch)
   (define place #f)
@@ -35,11 +35,12 @@
           (when (zero? left) (error "worker places end before the first tile"))
           (define fresh (dynamic-place place-worker 'main))
           (set! place fresh)
-          (watch fresh)
           (place-channel-put fresh (list order (desk->list desk)))
-          (unless (pair? (receive fresh #f))
-            (stop!)
-            (try (- left 1)))))
+          (cond
+            [(pair? (receive fresh #f)) (watch fresh)]
+            [else
+             (stop!)
+             (try (- left 1))])))
     #t)
   (define (render! tile seconds)
     (place-channel-put place tile)

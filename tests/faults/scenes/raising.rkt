@@ -2,10 +2,11 @@
 ;; Spheres under a sky, and a bump whose distance function does what the environment variable
 ;; RAYTRACE_TEST_FAULT says where a ray comes near its top.
 (require raytrace)
-(provide world camera settings)
+(provide world camera settings start-again!)
 
 (define (word) (getenv "RAYTRACE_TEST_FAULT"))
 (define done '())
+(define (start-again!) (set! done '()))
 (define (once key act)
   (unless (member key done)
     (set! done (cons key done))
