@@ -82,7 +82,9 @@
                  ("Render only this part of the picture" "X,Y,W,H")])
     (help-labels "" "These change how fast the picture comes, and not one bit of it:" "")
     (once-each
-     [("--schedule") ,(name-flag 'schedule) ("sequential, futures (the default) or places" "name")]
+     [("--schedule") ,(name-flag 'schedule) (("sequential, futures (the default), places, or hosts:FILE: over ssh on the hosts of a file,"
+                       "each line [user@]host[:port] [workers] [racket]")
+                      "name")]
      [("--workers") ,(count-flag 'workers check-workers)
                     ("How many at a time; by default one for each processor" "n")]
      [("--tile") ,(count-flag 'tile check-tile)
@@ -102,6 +104,9 @@
                  (("Render the I-th of N parts into a file that `raco raytrace merge` takes;"
                    "by default the scene's name with .I-of-N.part")
                   "I/N")])
+    (help-labels "" "A pixel where a function of the scene raises twice is told and left magenta, (1, 0, 1):" "")
+    (once-each
+     [("--strict") ,(switch 'strict) ("Stop at such a pixel instead, with one line")])
     (help-labels "" "What is told on standard error:" "")
     (once-each
      [("--stats") ,(switch 'stats) ("Counts and times")]

@@ -9,6 +9,7 @@
 (lazy-require ["studio.rkt" (load-studio)]
               ["needs.rkt" (scene-needs)]
               ["../image/edit.rkt" (Image-false-color)]
+              ["../render/schedule/hosts.rkt" (read-hosts)]
               ["keeper.rkt" (render-settings make-keeper write-part)])
 
 (provide render-scene)
@@ -73,7 +74,12 @@
   (define crop (check-crop "--crop" (option 'crop #f) size))
   (define sampler (named-option 'sampler 'owen-sobol SAMPLERS))
   (define filter (named-option 'filter 'box FILTERS))
-  (define schedule (named-option 'schedule 'futures SCHEDULES))
+  (define hosts
+    (let ([found (regexp-match #rx"^hosts:(.+)$" (symbol->string (option 'schedule 'futures)))])
+      (and found (cadr found))))
+  (define schedule
+    (if hosts 'hosts (named-option 'schedule 'futures (remq 'hosts SCHEDULES))))
+  (when hosts (read-hosts hosts))
   (define workers (option 'workers (default-worker-count)))
   (define tile (option 'tile 16))
   (define max-depth (option 'max-depth #f))
@@ -100,7 +106,8 @@
                  #:samples 1 #:integrator integrator #:max-depth max-depth #:schedule 'sequential)))
   (define (render-it watch)
     (with-handlers ([exn:fail? (lambda (e) (raise-user-error
-                                            (if (exn:fail:user? e)
+                                            (if (and (exn:fail:user? e)
+                                                     (not (hash-ref options 'strict #f)))
                                                 (exn-message e)
                                                 (format "~a: ~a" word (exn-message e)))))])
       (parameterize ([current-output-port (current-error-port)])
@@ -109,6 +116,8 @@
                            #:seed seed #:crop crop #:sampler sampler #:filter filter
                            #:integrator integrator #:max-depth max-depth
                            #:schedule schedule #:workers workers #:tile tile
+                           #:hosts hosts #:strict? (hash-ref options 'strict #f)
+                           #:scene (and (not (mesh-file? path)) path)
                            #:part part #:prepare prepare
                            #:watch (lambda (done progress)
                                      (watch done (progress->live progress)))))))
@@ -147,6 +156,7 @@
                            'errorWanted error 'secondsWanted seconds 'crop crop
                            'stoppedBy (Statistics-stopped-by statistics))
                    statistics))
+  (report-faults word seed statistics)
   (unless quiet? (report-line report))
   (when (option 'stats #f)
     (report-table report)

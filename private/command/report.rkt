@@ -1,11 +1,11 @@
 #lang racket/base
 ;; What is told about a render that is done: a line, a table, and JSON.
-(require racket/lazy-require "../render/statistics.rkt" "../image/write.rkt" "../image/source.rkt")
+(require racket/lazy-require "line.rkt" "../render/statistics.rkt" "../image/write.rkt" "../image/source.rkt")
 
 (lazy-require [json (write-json)]
               [racket/file (call-with-atomic-output-file)])
 
-(provide render-report report-line report-table report-texts report-json check-json-path)
+(provide render-report report-line report-table report-texts report-faults report-json check-json-path)
 
 ;; about: what the statistics do not know. rows: (list key label value) with number values, or #f
 ;; for what is unknown. first-rejected: as in Statistics.
@@ -33,6 +33,7 @@
     (list 'seconds "seconds" seconds)
     (list 'processorSeconds "processor seconds" (Statistics-processor-seconds statistics))
     (list 'rejectedSamples "rejected samples" (Statistics-rejected-samples statistics))
+    (list 'failedPixels "failed pixels" (Statistics-failed-pixels statistics))
     (list 'peakMebibytes "peak memory, MiB" (peak-mebibytes)))
    (Statistics-first-rejected statistics)))
 
@@ -78,6 +79,17 @@
   (if (positive? places)
       (real->decimal-string number places)
       (number->string (inexact->exact (round number)))))
+
+;; report-faults : a line on standard error for each kind of what a scene's functions raised.
+(define (report-faults scene seed statistics)
+  (define pixels (Statistics-failed-pixels statistics))
+  (define faults (Statistics-faults statistics))
+  (for ([fault (in-list faults)])
+    (eprintf "raytrace: ~a: ~a, at pixel ~a,~a with seed ~a\n" scene (one-line (car fault))
+             (cadr fault) (caddr fault) seed))
+  (when (positive? pixels)
+    (eprintf "raytrace: ~a: ~a left magenta (1, 0, 1)\n" scene
+             (if (= pixels 1) "1 pixel is" (format "~a pixels are" pixels)))))
 
 ;; A table on standard error.
 (define (report-table report)

@@ -86,17 +86,16 @@
   (define recorder (make-recorder world))
   (define job
     (Job (World-observed world (recorder-see recorder)) camera
-         (Tiling width height 1 (list x y 1 1)) samples seed sampler filter integrator max-depth))
-  (define film (make-flvector (Job-film-size job) 0.0))
-  (Film-want! film samples)
-  (define-values (render-tile! counts) (Job-worker job film (recorder-observe recorder)))
-  (render-tile! 0)
-  (define image (Film-image film 1 1))
+         (Tiling width height 1 (list x y 1 1)) samples seed sampler filter integrator max-depth
+         #f))
+  (define target (Job-target job make-flvector))
+  ((Job-worker job target #:observe (recorder-observe recorder)) 0 #f)
+  (define image (Target-image target 1 1))
   (define paths ((recorder-paths recorder)))
   (define-values (sources depths) (summary paths))
   (Explanation x y samples (color-at (Image-pixels image) 0)
                (let ([errors (Image-standard-error image)]) (and errors (color-at errors 0)))
-               (/ (+ (fxvector-ref counts nearest-rays) (fxvector-ref counts occlusion-rays))
+               (/ (+ (Target-total target tally-nearest-place) (Target-total target tally-occlusion-place))
                   (exact->inexact samples))
                sources depths paths))
 

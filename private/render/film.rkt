@@ -7,7 +7,7 @@
          Film-want! Film-image Film-samples Film-squared-error Film-relative-error
          (struct-out Target) Target-image Target-finish!
          TALLY-PLACES tally-version tally-nearest tally-occlusion tally-rejected tally-pixel tally-sample
-         tally-taken pixel-places tally-places tally-nearest-place tally-occlusion-place Target-version
+         tally-taken tally-failed ERROR-RAYS pixel-places tally-places error-rays tally-failed-place tally-nearest-place tally-occlusion-place Target-version
          Target-relative-error Target-total Target-first-rejected)
 
 ;; A pixel's places: sums of the first and of the second stream, red green blue each; the sum of the
@@ -119,8 +119,8 @@
 (struct Target ([film : FlVector] [errors : (U #f FlVector)] [tallies : FlVector]))
 
 ;; A tile's tally: a version, odd while the tile is being written and 0 before that; rays; samples that
-;; were rejected, the number of the first pixel among them plus 1 and its sample; and samples taken.
-(define-syntax-rule (TALLY-PLACES) 7)
+;; were rejected, the number of the first pixel among them plus 1 and its sample; samples taken; and pixels of the error colour.
+(define-syntax-rule (TALLY-PLACES) 8)
 (define-syntax-rule (tally-version) 0)
 (define-syntax-rule (tally-nearest) 1)
 (define-syntax-rule (tally-occlusion) 2)
@@ -128,10 +128,19 @@
 (define-syntax-rule (tally-pixel) 4)
 (define-syntax-rule (tally-sample) 5)
 (define-syntax-rule (tally-taken) 6)
+(define-syntax-rule (tally-failed) 7)
+
+;; What stands for the rays of a pixel that could not be rendered and has the error colour for good:
+;; fewer than any sample traces.
+(define-syntax-rule (ERROR-RAYS) 1e-300)
 
 ;; The same for modules that cannot use a typed module's macros.
 (: pixel-places Fixnum)
 (define pixel-places (PIXEL-PLACES))
+(: error-rays Flonum)
+(define error-rays (ERROR-RAYS))
+(: tally-failed-place Fixnum)
+(define tally-failed-place (tally-failed))
 (: tally-places Fixnum)
 (define tally-places (TALLY-PLACES))
 (: tally-nearest-place Fixnum)

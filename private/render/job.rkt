@@ -7,11 +7,12 @@
 
 (provide (struct-out Job) Job-tile-count Job-target Job-bytes Job-worker)
 
-;; samples: how many a pixel gets, #f where the film says it pass by pass. sampler, filter and
+;; scene: the file of a module that provides the world, where it is known. samples: how many a pixel gets, #f where the film says it pass by pass. sampler, filter and
 ;; integrator by name.
 (struct Job ([world : World] [camera : Camera] [tiling : Tiling]
              [samples : (U #f Fixnum)] [seed : Fixnum] [sampler : Symbol] [filter : Symbol]
-             [integrator : Symbol] [max-depth : (U #f Fixnum)])
+             [integrator : Symbol] [max-depth : (U #f Fixnum)]
+             [scene : (U #f String)])
   #:transparent)
 
 (: Job-tile-count (-> Job Fixnum))
@@ -58,11 +59,12 @@
     [else (MOST-CELLS)]))
 
 ;; A worker with a scratch of its own: a procedure that renders the tile it is given into the target,
-;; and the registers that count what it did. observe: called with the integrator, returns what takes
-;; its place.
-(: Job-worker (->* (Job Target) ((-> Integrator Integrator))
-                   (Values (-> Fixnum Void) FxVector)))
-(define (Job-worker job target [observe (lambda ([integrator : Integrator]) integrator)])
+;; or into one that holds a single tile (alone?); see pixel.rkt. observe: called with the integrator,
+;; returns what takes its place.
+(: Job-worker (->* (Job Target) (Boolean #:observe (-> Integrator Integrator))
+                   (-> Fixnum (U #f Guard) Void)))
+(define (Job-worker job target [alone? #f]
+                    #:observe [observe (lambda ([integrator : Integrator]) integrator)])
   (define tiling (Job-tiling job))
   (define width (Tiling-width tiling))
   (define height (Tiling-height tiling))
@@ -72,4 +74,4 @@
                     (Camera-kernel (Camera-fitted (Job-camera job) (/ width height)) width height
                                    (ormap Shape-moves? (World-shapes world)))
                     (observe (World-integrator world (Job-integrator job) (Job-max-depth job)))
-                    target))
+                    target alone?))

@@ -6,7 +6,7 @@
 (unsafe-require/typed racket/base
   [memory-order-release (-> Void)])
 
-(provide make-tile-worker (struct-out Tiling) tile-count Tiling-bounds)
+(provide make-tile-worker Guard (struct-out Tiling) tile-count Tiling-bounds)
 
 ;; How a picture is cut: its width and height, the tile's side, and the part that is rendered as
 ;; x, y, width, height. Tiles are numbered by rows; their order changes no pixel.
@@ -33,16 +33,22 @@
   (define y (fx* tile (fxquotient number tiles-across)))
   (values x y (min width (fx+ x tile)) (min height (fx+ y tile))))
 
+;; Decides what becomes of a pixel, given its number in the picture, what renders it from a clean
+;; start, and what leaves it in the error colour.
+(define-type Guard (-> Fixnum (-> Void) (-> Void) Any))
+
 ;; A worker: a procedure that brings the pixels of the tile it is given to the samples the film wants,
-;; and the fixnum scratch that holds its counts. A tile is rendered in scratch and then written to the
+;; and may be given a Guard, which is slower. A tile is rendered in scratch and then written to the
 ;; target as a whole, with its tally. It shares nothing it writes with other workers but places of the
 ;; target that are its tile's alone. Samples belong by turns to two streams, which are
 ;; randomised independently. samples: how many a pixel gets, #f where the
-;; film says it pass by pass. Where one sample is all a pixel will have it goes through the pixel's middle, otherwise samples are spread as the filter's table says, over the pixel without one.
+;; film says it pass by pass. alone?: whether the target holds one tile only, the one that is rendered.
+;; Where one sample is all a pixel will have it goes through the pixel's middle, otherwise samples are spread as the filter's table says, over the pixel without one.
 (: make-tile-worker (-> Tiling (U #f Fixnum) (U #f FlVector) Fixnum Fixnum Fixnum (-> FlVector FxVector Void)
-                        (-> FlVector FxVector Void) Target
-                        (Values (-> Fixnum Void) FxVector)))
-(define (make-tile-worker tiling samples filter sampler grid seed camera-kernel integrator target)
+                        (-> FlVector FxVector Void) Target Boolean
+                        (-> Fixnum (U #f Guard) Void)))
+(define (make-tile-worker tiling samples filter sampler grid seed camera-kernel integrator target
+                          alone?)
   (define single? (eqv? samples 1))
   (define r (make-flonum-registers))
   (define i (make-fixnum-registers))
@@ -67,35 +73,84 @@
     (define taken (fl->fx (flvector-ref film (fx+ place (taken-place)))))
     (define wanted (fl->fx (flvector-ref film (fx+ place (wanted-place)))))
     (define rays-before (rays-traced i))
-    (start-sums! sums)
-    (let fold ([sample : Fixnum taken])
-      (when (fx< sample wanted)
-        (Sampler-start! i pixel (if (first-stream? sample) seed second-seed) (fxrshift sample 1))
-        (cond
-          [single?
-           (fxvector-set! i sampler-dimension 1)
-           (flvector-set! r film-x (fl+ (fx->fl x) 0.5))
-           (flvector-set! r film-y (fl+ (fx->fl y) 0.5))]
-          [filter
-           (sample-next-pair! r i)
-           (flvector-set! r film-x (fl+ (fl+ 0.5 (fx->fl x))
-                                        (Filter-offset filter (flvector-ref r sample-u))))
-           (flvector-set! r film-y (fl+ (fl+ 0.5 (fx->fl y))
-                                        (Filter-offset filter (flvector-ref r sample-v))))]
-          [else
-           (sample-next-pair! r i)
-           (flvector-set! r film-x (fl+ (fx->fl x) (flvector-ref r sample-u)))
-           (flvector-set! r film-y (fl+ (fx->fl y) (flvector-ref r sample-v)))])
-        (camera-kernel r i)
-        (integrator r i)
-        (unless (acceptable? r)
-          (Float3-put! r radiance (Float3 0.0 0.0 0.0))
-          (count-rejected! i pixel sample))
-        (if (first-stream? sample)
-            (add-first! r sums)
-            (add-second! r sums))
-        (fold (fx+ sample 1))))
-    (put-sums! film place sums wanted (fx- (rays-traced i) rays-before)))
+    (if (failed? film place)
+        (fail-pixel! place)
+        (begin
+          (start-sums! sums)
+          (let fold ([sample : Fixnum taken])
+            (when (fx< sample wanted)
+              (Sampler-start! i pixel (if (first-stream? sample) seed second-seed) (fxrshift sample 1))
+              (cond
+                [single?
+                 (fxvector-set! i sampler-dimension 1)
+                 (flvector-set! r film-x (fl+ (fx->fl x) 0.5))
+                 (flvector-set! r film-y (fl+ (fx->fl y) 0.5))]
+                [filter
+                 (sample-next-pair! r i)
+                 (flvector-set! r film-x (fl+ (fl+ 0.5 (fx->fl x))
+                                              (Filter-offset filter (flvector-ref r sample-u))))
+                 (flvector-set! r film-y (fl+ (fl+ 0.5 (fx->fl y))
+                                              (Filter-offset filter (flvector-ref r sample-v))))]
+                [else
+                 (sample-next-pair! r i)
+                 (flvector-set! r film-x (fl+ (fx->fl x) (flvector-ref r sample-u)))
+                 (flvector-set! r film-y (fl+ (fx->fl y) (flvector-ref r sample-v)))])
+              (camera-kernel r i)
+              (integrator r i)
+              (unless (acceptable? r)
+                (Float3-put! r radiance (Float3 0.0 0.0 0.0))
+                (count-rejected! i pixel sample))
+              (if (first-stream? sample)
+                  (add-first! r sums)
+                  (add-second! r sums))
+              (fold (fx+ sample 1))))
+          (put-sums! film place sums wanted (fx- (rays-traced i) rays-before)))))
+
+  ;; The error colour, magenta, in all samples.
+  (: fail-pixel! (-> Fixnum Void))
+  (define (fail-pixel! place)
+    (define wanted (flvector-ref film (fx+ place (wanted-place))))
+    (define first (flfloor (fl* 0.5 (fl+ wanted 1.0))))
+    (define second (fl- wanted first))
+    (define-syntax-rule (put! k value) (flvector-set! film (fx+ place k) value))
+    (put! 0 first) (put! 1 0.0) (put! 2 first)
+    (put! 3 second) (put! 4 0.0) (put! 5 second)
+    (put! (squares-place) 0.0)
+    (put! (rays-place) (ERROR-RAYS))
+    (put! (taken-place) wanted))
+
+  ;; The scratch as at the start, but for what was counted up to now.
+  (: clean-scratch! (-> Fixnum Fixnum Fixnum Fixnum Fixnum Void))
+  (define (clean-scratch! nearest occlusion rejected pixel sample)
+    (define fresh-r (make-flonum-registers))
+    (define fresh-i (make-fixnum-registers))
+    (let each ([k : Fixnum 0])
+      (when (fx< k (flvector-length fresh-r))
+        (flvector-set! r k (flvector-ref fresh-r k))
+        (each (fx+ k 1))))
+    (let each ([k : Fixnum 0])
+      (when (fx< k (fxvector-length fresh-i))
+        (fxvector-set! i k (fxvector-ref fresh-i k))
+        (each (fx+ k 1))))
+    (fxvector-set! i nearest-rays nearest)
+    (fxvector-set! i occlusion-rays occlusion)
+    (fxvector-set! i rejected-samples rejected)
+    (fxvector-set! i rejected-pixel pixel)
+    (fxvector-set! i rejected-sample sample)
+    (Sampler-choose! i sampler grid))
+
+  (: render-pixel-guarded! (-> Fixnum Fixnum Fixnum Guard Void))
+  (define (render-pixel-guarded! x y place guard)
+    (define nearest (fxvector-ref i nearest-rays))
+    (define occlusion (fxvector-ref i occlusion-rays))
+    (define rejected (fxvector-ref i rejected-samples))
+    (define pixel (fxvector-ref i rejected-pixel))
+    (define sample (fxvector-ref i rejected-sample))
+    (define (clean!) (clean-scratch! nearest occlusion rejected pixel sample))
+    (guard (fx+ x (fx* y width))
+           (lambda () (clean!) (render-pixel! x y place))
+           (lambda () (clean!) (fail-pixel! place)))
+    (void))
 
   ;; What is done for a pixel of the tile: k is its number in the crop, place where it is in the
   ;; tile's film.
@@ -104,7 +159,7 @@
       (when (fx< y y1)
         (let columns ([x : Fixnum x0] [place : Fixnum start])
           (if (fx< x x1)
-              (let ([k (fx+ x (fx* y crop-width))])
+              (let ([k (if alone? (fxquotient place (PIXEL-PLACES)) (fx+ x (fx* y crop-width)))])
                 body
                 (columns (fx+ x 1) (fx+ place (PIXEL-PLACES))))
               (rows (fx+ y 1) place))))))
@@ -133,17 +188,27 @@
           (each (fx+ at (PIXEL-PLACES)) (fl+ sum (flvector-ref film at)))
           (fl+ sum 0.0))))
 
-  (: render-tile! (-> Fixnum Void))
-  (define (render-tile! number)
+  (: failed-in (-> Fixnum Fixnum Flonum))
+  (define (failed-in columns rows)
+    (define end (fx* (PIXEL-PLACES) (fx* columns rows)))
+    (let each : Flonum ([place : Fixnum 0] [sum : Flonum 0.0])
+      (if (fx< place end)
+          (each (fx+ place (PIXEL-PLACES)) (if (failed? film place) (fl+ sum 1.0) sum))
+          (fl+ sum 0.0))))
+
+  (: render-tile! (-> Fixnum (U #f Guard) Void))
+  (define (render-tile! number guard)
     (define-values (x0 y0 x1 y1) (Tiling-bounds tiling number))
-    (define tally (fx* number (TALLY-PLACES)))
+    (define tally (if alone? 0 (fx* number (TALLY-PLACES))))
     (define nearest-before (fxvector-ref i nearest-rays))
     (define occlusion-before (fxvector-ref i occlusion-rays))
     (define rejected-before (fxvector-ref i rejected-samples))
     (fxvector-set! i rejected-pixel 0)
     (load! x0 y0 x1 y1)
     (each-pixel (x0 y0 x1 y1) (x y k place)
-      (render-pixel! (fx+ left x) (fx+ top y) place))
+      (if guard
+          (render-pixel-guarded! (fx+ left x) (fx+ top y) place guard)
+          (render-pixel! (fx+ left x) (fx+ top y) place)))
     (define-syntax-rule (add! place amount)
       (flvector-set! tallies (fx+ tally place) (fl+ (flvector-ref tallies (fx+ tally place)) amount)))
     (define first (fxvector-ref i rejected-pixel))
@@ -158,9 +223,13 @@
       (flvector-set! tallies (fx+ tally (tally-pixel)) (fx->fl first))
       (flvector-set! tallies (fx+ tally (tally-sample)) (fx->fl (fxvector-ref i rejected-sample))))
     (flvector-set! tallies (fx+ tally (tally-taken)) (taken-in (fx- x1 x0) (fx- y1 y0)))
+    (flvector-set! tallies (fx+ tally (tally-failed)) (failed-in (fx- x1 x0) (fx- y1 y0)))
     (memory-order-release)
     (add! (tally-version) 1.0))
-  (values render-tile! i))
+  render-tile!)
+
+(define-syntax-rule (failed? film place)
+  (fl= (flvector-ref film (fx+ place (rays-place))) (ERROR-RAYS)))
 
 (define-syntax-rule (copy-pixel! to at from place)
   (let copy ([p : Fixnum 0])

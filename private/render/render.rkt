@@ -8,10 +8,11 @@
 
 (provide render render/statistics (struct-out Progress) SCHEDULES default-worker-count MOST-SAMPLES)
 
-(define-type Schedule (-> Job Target Fixnum (-> Any) (Listof FxVector)))
+(define-type Schedule (-> Job Target Fixnum (-> Any) (-> Fixnum Any Void) Any))
 (unsafe-require/typed "schedule/sequential.rkt" [run-sequential Schedule])
 (unsafe-require/typed "schedule/futures.rkt" [run-futures Schedule])
-(unsafe-require/typed "schedule/lazy.rkt" [run-places Schedule])
+(unsafe-require/typed "schedule/lazy.rkt" [run-places Schedule]
+  [run-hosts (-> Path-String Schedule)])
 (unsafe-require/typed "../raster/lazy.rkt"
   [raster-image (-> World Camera Fixnum Fixnum Integer (U Symbol (Listof Symbol))
                     (U #f (List Integer Integer Integer Integer))
@@ -20,10 +21,11 @@
   [current-inexact-monotonic-milliseconds (-> Flonum)])
 (unsafe-require/typed racket/future
   [processor-count (-> Positive-Fixnum)])
-(unsafe-require/typed racket/flonum
-  [make-shared-flvector (-> Fixnum Flonum FlVector)])
 (unsafe-require/typed "schedule/tiles.rkt"
   [call-with-lock (-> Semaphore (-> Any) Any)])
+(unsafe-require/typed "faults.rkt"
+  [make-faults (-> Boolean Fixnum Fixnum (Values (-> Fixnum Any Void)
+                                                 (-> (Listof (List String Fixnum Fixnum)))))])
 (unsafe-require/typed "memory.rkt"
   [make-pinned-flvector (-> Fixnum Flonum FlVector)]
   [unpin (-> FlVector Void)]
@@ -35,7 +37,7 @@
 (struct Progress ([job : Job] [target : Target] [passes : Passes] [skip : Bytes]
                   [lock : Semaphore]))
 
-(define SCHEDULES : (Listof Symbol) '(sequential futures places))
+(define SCHEDULES : (Listof Symbol) '(sequential futures places hosts))
 
 ;; As many workers as the machine has processors.
 (: default-worker-count (-> Positive-Fixnum))
@@ -53,6 +55,9 @@
 ;; (list x y width height) renders only that part.
 ;; The integrator 'raster draws without rays, as preview does (see there), with #:samples, 4 unless said
 ;; otherwise, and #:shading one of SHADINGS or a list of them; it has no #:error and takes no #:seconds.
+;; A pixel where a function of the scene raises twice is left magenta, (1, 0, 1); with #:strict? the
+;; render stops there instead. #:scene the file of a module that provides `world`: workers elsewhere
+;; load it where the world holds functions. #:hosts the file of hosts for the schedule 'hosts.
 ;; Raises exn:fail:contract on numbers out of range.
 (: render (->* (World Camera)
                (#:width Integer #:height Integer #:samples (U #f Integer)
@@ -60,7 +65,8 @@
                 #:sampler Symbol #:filter Symbol #:integrator Symbol #:max-depth (U #f Integer)
                 #:schedule Symbol #:workers Integer #:tile Integer
                 #:shading (U Symbol (Listof Symbol))
-                #:crop (U #f (List Integer Integer Integer Integer)))
+                #:crop (U #f (List Integer Integer Integer Integer))
+                #:strict? Boolean #:scene (U #f Path-String) #:hosts (U #f Path-String))
                Image))
 (define (render world camera #:width [width 640] #:height [height 360] #:samples [samples #f]
                 #:error [error #f] #:seconds [seconds #f] #:seed [seed 0]
@@ -68,12 +74,14 @@
                 #:integrator [integrator 'auto]
                 #:max-depth [max-depth #f] #:schedule [schedule 'futures]
                 #:workers [workers (default-worker-count)] #:tile [tile 16]
-                #:shading [shading 'phong] #:crop [crop #f])
+                #:shading [shading 'phong] #:crop [crop #f]
+                #:strict? [strict? #f] #:scene [scene #f] #:hosts [hosts #f])
   (define-values (image statistics)
     (render/statistics world camera #:width width #:height height #:samples samples
                        #:error error #:seconds seconds #:seed seed #:sampler sampler
                        #:filter filter #:integrator integrator #:max-depth max-depth
-                       #:schedule schedule #:workers workers #:tile tile #:crop crop))
+                       #:schedule schedule #:workers workers #:tile tile #:crop crop
+                       #:strict? strict? #:scene scene #:hosts hosts))
   (define errors (Image-standard-error image))
   (unpin (Image-pixels image))
   (when errors (unpin errors))
@@ -92,6 +100,7 @@
          #:schedule Symbol #:workers Integer #:tile Integer
          #:shading (U Symbol (Listof Symbol))
          #:crop (U #f (List Integer Integer Integer Integer))
+         #:strict? Boolean #:scene (U #f Path-String) #:hosts (U #f Path-String)
          #:part (U #f (List Integer Integer)) #:prepare (-> Progress Any)
          #:watch (-> (-> Real) Progress (-> Void)))
         (Values Image Statistics)))
@@ -102,6 +111,7 @@
                            #:schedule [schedule 'futures]
                            #:workers [workers (default-worker-count)] #:tile [tile 16]
                            #:shading [shading 'phong] #:crop [crop #f]
+                           #:strict? [strict? #f] #:scene [scene #f] #:hosts [hosts #f]
                            #:part [part #f] #:prepare [prepare void]
                            #:watch [watch (lambda (done progress) void)])
   (define columns (check-count 'render "width" width 1 100000))
@@ -109,7 +119,7 @@
   (if (eq? integrator 'raster)
       (raster/statistics world camera columns rows samples error seconds shading crop)
       (trace/statistics world camera columns rows samples error seconds seed sampler filter integrator
-                        max-depth schedule workers tile crop part prepare watch)))
+                        max-depth schedule workers tile crop strict? scene hosts part prepare watch)))
 
 ;; A picture without rays, and how long it took.
 (: raster/statistics (-> World Camera Fixnum Fixnum (U #f Integer) (U #f Real) (U #f Real)
@@ -128,17 +138,18 @@
   (define pixels (fx* (Image-width image) (Image-height image)))
   (values
    image
-   (Statistics pixels (fx* count pixels) 0 0 0 #f #f #f 1 'samples 0.0
+   (Statistics pixels (fx* count pixels) 0 0 0 #f 0 '() #f #f 1 'samples 0.0
                (fl/ (fl- (current-inexact-milliseconds) start) 1000.0)
                (fl/ (fx->fl (fx- (current-process-milliseconds) processor-start)) 1000.0))))
 
 (: trace/statistics
    (-> World Camera Fixnum Fixnum (U #f Integer) (U #f Real) (U #f Real) Integer Symbol Symbol Symbol
        (U #f Integer) Symbol Integer Integer (U #f (List Integer Integer Integer Integer))
+       Boolean (U #f Path-String) (U #f Path-String)
        (U #f (List Integer Integer)) (-> Progress Any) (-> (-> Real) Progress (-> Void))
        (Values Image Statistics)))
 (define (trace/statistics world camera columns rows samples error seconds seed sampler filter
-                          integrator max-depth schedule workers tile crop part prepare watch)
+                          integrator max-depth schedule workers tile crop strict? scene hosts part prepare watch)
   (define goal
     (Goal (check-count 'render "samples" (or samples (if (or error seconds) MOST-SAMPLES 16))
                        1 1000000000)
@@ -152,12 +163,14 @@
   (define tiling (Tiling columns rows tile-side area))
   (define job (Job world camera tiling (if (or error seconds) #f (Goal-samples goal)) seed32 sampler
                    filter integrator
-                   (and max-depth (check-count 'render "max-depth" max-depth 0 1000000000))))
+                   (and max-depth (check-count 'render "max-depth" max-depth 0 1000000000))
+                   (and scene (path->string (path->complete-path scene)))))
   (define run
     (case schedule
       [(sequential) run-sequential]
       [(futures) run-futures]
       [(places) run-places]
+      [(hosts) (if hosts (run-hosts hosts) (raise-expected 'render "hosts" "a file" hosts))]
       [else (raise-expected 'render "schedule" (format "one of ~a" SCHEDULES) schedule)]))
   (check-integrator integrator)
   (when (and (eq? integrator 'error) (< (Goal-samples goal) 2))
@@ -166,11 +179,11 @@
   (check-filter filter)
   (check-memory (Job-bytes job) (caddr area) (cadddr area))
   (define start (current-inexact-monotonic-milliseconds))
-  (unless (eq? schedule 'places) (World-scene world))
+  (unless (memq schedule '(places hosts)) (World-scene world))
   (define built (current-inexact-monotonic-milliseconds))
   (define processor-start (current-process-milliseconds))
   (define target
-    (Job-target job (if (eq? schedule 'places) make-shared-flvector make-pinned-flvector)))
+    (Job-target job make-pinned-flvector))
   (define count (Job-tile-count job))
   (define skip (make-bytes count 0))
   (when part
@@ -184,8 +197,8 @@
   (define finish (watch (Passes-progress passes) progress))
   (define next (Passes-next passes))
   ;; a plan that a break cuts off would leave a film that cannot be gone on with
-  (run job target worker-count
-       (lambda () (call-with-lock lock next)))
+  (define-values (report-fault! faults) (make-faults strict? columns seed32))
+  (run job target worker-count (lambda () (call-with-lock lock next)) report-fault!)
   (finish)
   (define image (Target-image target (caddr area) (cadddr area)))
   (define-values (rejected-pixel-number sample) (Target-first-rejected target))
@@ -205,6 +218,7 @@
                (and (fx> rejected-pixel-number 0)
                     (list (fxremainder (fx- rejected-pixel-number 1) columns)
                           (fxquotient (fx- rejected-pixel-number 1) columns) sample))
+               (Target-total target (tally-failed)) (faults)
                (if part #f (Image-relative-error image))
                (if part #f (Image-relative-error-uncertainty image))
                ((Passes-count passes)) ((Passes-stopped-by passes))

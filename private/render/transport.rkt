@@ -60,7 +60,8 @@
          [camera (Camera-look-at up zero side)]
          [dot (make-Image 1 1 (flvector 0.0 0.0 0.0))]
          [tiling (Tiling 1 1 1 '(0 0 1 1))])
-    (list zero here (World-shading world) camera tiling (Job world camera tiling 1 0 'owen-sobol 'box 'auto #f)
+    (list zero here (World-shading world) camera tiling 
+          (Job world camera tiling 1 0 'owen-sobol 'box 'auto #f #f)
           (make-GradientSky zero zero)
           (make-Image 1 1 (flvector 0.0 0.0 0.0)) (make-EnvironmentMap (make-Image 1 1 (flvector 0.0 0.0 0.0)))
           ball (make-Plane zero up matte) (make-Disk zero up 1 matte) (make-Quad zero up side matte)

@@ -15,7 +15,7 @@
                     (Vectorof Flonum)))
 (define (film-samples world camera width height error)
   (define job
-    (Job world camera (Tiling width height 16 (list 0 0 width height)) #f 0 'owen-sobol 'box 'auto #f))
+    (Job world camera (Tiling width height 16 (list 0 0 width height)) #f 0 'owen-sobol 'box 'auto #f #f))
   (define target (Job-target job (lambda ([size : Fixnum] [value : Flonum]) (make-flvector size value))))
   (define film (Target-film target))
   (define passes

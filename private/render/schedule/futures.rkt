@@ -5,33 +5,43 @@
 (provide run-futures)
 
 ;; run-futures : as run-sequential, by as many workers as asked for.
-(define (run-futures job target workers next-pass)
-  (define-values (procedures counts)
-    (for/lists (procedures counts) ([k (in-range workers)])
-      (Job-worker job target)))
-  (let pass ()
-    (define counter (next-pass))
-    (when counter
-      (run-pass procedures counter)
-      (pass)))
-  counts)
+(define (run-futures job target workers next-pass report!)
+  (define procedures
+    (for/list ([k (in-range workers)]) (Job-worker job target)))
+  (call-without-exit
+   (lambda ()
+     (let pass ()
+       (define counter (next-pass))
+       (when counter
+         (run-pass procedures counter report!)
+         (pass))))))
 
 ;; Each worker is a future, and each future is touched by a thread of its own: if a scene's function
-;; does what a future may not, it goes on in that thread. The first exception stops the others and is
-;; raised again here; so is a break.
-(define (run-pass procedures counter)
+;; does what a future may not, it goes on in that thread. So does a tile in which something was raised,
+;; and then another future takes the worker's other tiles. What goes on being raised stops all of them
+;; and is raised again here; so is a break.
+(define (run-pass procedures counter report!)
   (define failure (box #f))
   (define futures
     (for/list ([render-tile! (in-list procedures)])
-      (future (lambda () (work render-tile! counter)))))
+      (define at (box #f))
+      (cons (future (lambda () (work render-tile! counter at))) at)))
+  (define (finish f render-tile! at)
+    (when (with-handlers ([fault? (lambda (e) (unless (unbox at) (raise e)) #t)])
+            (touch f)
+            #f)
+      (render-carefully! render-tile! (unbox at) report!)
+      (set-box! at #f)
+      (tile-done! counter)
+      (finish (future (lambda () (work render-tile! counter at))) render-tile! at)))
   (define threads
-    (for/list ([f (in-list futures)])
+    (for/list ([f+at (in-list futures)] [render-tile! (in-list procedures)])
       (thread
        (lambda ()
          (with-handlers ([void (lambda (e)
                                  (box-cas! failure #f e)
                                  (tile-counter-stop! counter))])
-           (touch f))))))
+           (finish (car f+at) render-tile! (cdr f+at)))))))
   (define (wait) (for-each thread-wait threads))
   (with-handlers ([exn:break? (lambda (e)
                                 (tile-counter-stop! counter)

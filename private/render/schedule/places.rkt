@@ -1,67 +1,64 @@
 #lang racket/base
 ;; Workers in places: separate heaps in this process, which collect garbage by themselves. The world
-;; goes there as a message (see transport.rkt) and is compiled there; the film is shared memory.
-(require racket/place racket/runtime-path racket/flonum racket/fixnum
-         "../film.rkt" "../transport.rkt" "tiles.rkt")
+;; goes there as a message (see transport.rkt) or is loaded there from the scene's file, and is compiled
+;; there. A place shares memory with this one for one tile only, so that it may end at any moment.
+(require racket/place racket/runtime-path racket/flonum "../job.rkt" "crew.rkt" "desk.rkt")
 
-(provide run-places)
+(provide run-places place-watch least-stall-seconds stall-factor)
 
 (define-runtime-path place-worker "place-worker.rkt")
 
-;; run-places : as run-futures. The target's flvectors must be shared. A worker asks for a tile, renders
-;; it and asks again; what it raises stops all of them and is raised here.
-(define (run-places job target workers next-pass)
-  (define message (value->message job))
-  (define places
-    (for/list ([k (in-range workers)])
-      (define channel (dynamic-place place-worker 'main))
-      (place-channel-put channel (list message (Target-film target) (Target-errors target) (Target-tallies target)))
-      channel))
-  (dynamic-wind
-   void
-   (lambda ()
-     (let pass ()
-       (define counter (next-pass))
-       (when counter
-         (for-each-place places (lambda (channel fail!) (serve channel fail! counter))
-                         (lambda () (tile-counter-stop! counter)))
-         (pass)))
-     (define counts (make-hasheq))
-     (for-each-place places (lambda (channel fail!)
-                              (define answer (ask channel #f fail!))
-                              (when answer (hash-set! counts channel answer)))
-                     void)
-     (for/list ([channel (in-list places)])
-       (apply fxvector (hash-ref counts channel))))
-   (lambda () (for-each place-kill places))))
+;; Called with each place that is ready for its first tile.
+(define place-watch (make-parameter void))
 
-;; Does the same with every place at once, in a thread for each; the first that fails ends it.
-(define (for-each-place places act stop!)
-  (define failure (box #f))
-  (define (fail! message)
-    (box-cas! failure #f message)
-    (stop!))
-  (define threads
-    (for/list ([channel (in-list places)])
-      (thread (lambda () (act channel fail!)))))
-  (with-handlers ([exn:break? (lambda (e) (stop!) (raise e))])
-    (for-each thread-wait threads))
-  (when (unbox failure) (error 'render (unbox failure))))
+;; run-places : as run-futures; places that end or stall are replaced.
+(define (run-places job target workers next-pass report!)
+  (define order (job->order job))
+  (define watch (place-watch))
+  (run-crew job target
+            (for/list ([k (in-range workers)])
+              (make-place-worker order (make-desk job target make-shared-flvector) watch))
+            next-pass report!))
 
-;; Hands tiles to one place until there are none in this pass.
-(define (serve channel fail! counter)
-  (define tile (take-tile! counter))
-  (when (and tile (ask channel tile fail!))
-    (tile-done! counter)
-    (serve channel fail! counter)))
+;; Places that end before they are ready, one after the other, with which the render ends.
+(define MOST-FAILED-STARTS 10)
 
-;; Sends a tile, or #f for "no more", and waits for the answer; #f where there is none.
-(define (ask channel tile fail!)
-  (place-channel-put channel tile)
-  (define event (sync channel (handle-evt (place-dead-evt channel) (lambda (e) 'dead))))
+(define (make-place-worker order desk watch)
+  (define place #f)
+  (define (stop!)
+    (when place
+      (place-kill place)
+      (set! place #f)))
+  (define (start! finished?)
+    (or place
+        (let try ([left MOST-FAILED-STARTS])
+          (when (zero? left) (error "worker places end before the first tile"))
+          (define fresh (dynamic-place place-worker 'main))
+          (set! place fresh)
+          (place-channel-put fresh (list order (desk->list desk)))
+          (cond
+            [(pair? (receive fresh #f)) (watch fresh)]
+            [else
+             (stop!)
+             (try (- left 1))])))
+    #t)
+  (define (render! tile seconds)
+    (place-channel-put place tile)
+    (define answer (receive place seconds))
+    (cond
+      [(pair? answer) (cdr answer)]
+      [else
+       (stop!) ; which waits until it writes no more
+       answer]))
+  (crew-worker desk start! render! stop!))
+
+;; The place's next answer, 'dead where it has ended or 'stalled after so many seconds. Raises what the
+;; place could not do at all.
+(define (receive place seconds)
+  (define event
+    (sync/timeout seconds place (handle-evt (place-dead-evt place) (lambda (e) 'dead))))
   ;; a place that ended may have spoken before
-  (define answer (if (eq? event 'dead) (or (sync/timeout 0 channel) 'dead) event))
-  (cond
-    [(eq? answer 'dead) (fail! "a worker place ended by itself") #f]
-    [(eq? (car answer) 'failed) (fail! (cdr answer)) #f]
-    [else (cdr answer)]))
+  (define answer (if (eq? event 'dead) (or (sync/timeout 0 place) 'dead) (or event 'stalled)))
+  (when (and (pair? answer) (eq? (car answer) 'failed))
+    (error (cdr answer)))
+  answer)

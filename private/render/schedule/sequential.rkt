@@ -4,14 +4,21 @@
 
 (provide run-sequential)
 
-;; run-sequential : renders the job into the target, pass by pass; a list of what workers counted.
-;; next-pass gives the counter of the tiles of another pass, or #f when there is none; it is called
-;; when the workers have finished the last one.
-(define (run-sequential job target workers next-pass)
-  (define-values (render-tile! counts) (Job-worker job target))
-  (let pass ()
-    (define counter (next-pass))
-    (when counter
-      (work render-tile! counter)
-      (pass)))
-  (list counts))
+;; run-sequential : renders the job into the target, pass by pass; see tiles.rkt.
+(define (run-sequential job target workers next-pass report!)
+  (define render-tile! (Job-worker job target))
+  (define at (box #f))
+  (define (finish counter)
+    (when (with-handlers ([fault? (lambda (e) (unless (unbox at) (raise e)) #t)])
+            (work render-tile! counter at)
+            #f)
+      (render-carefully! render-tile! (unbox at) report!)
+      (tile-done! counter)
+      (finish counter)))
+  (call-without-exit
+   (lambda ()
+     (let pass ()
+       (define counter (next-pass))
+       (when counter
+         (finish counter)
+         (pass))))))
