@@ -37,7 +37,11 @@
     (define key (if (hash-has-key? options 'error) 'error 'seconds))
     (unexpected (format "--~a" key) (hash-ref options key)
                 "another integrator than raster, which has no noise to lower"))
-  (define shading (if raster? (option 'shading 'phong) 'phong))
+  (define shading
+    (check-shading (if (hash-has-key? options 'shading)
+                       "--shading"
+                       (format "~a: settings, 'shading" word))
+                   (option 'shading 'phong) SHADINGS))
   ;; what a scene asks of another integrator says nothing about rasterization
   (define samples
     (cond
