@@ -70,8 +70,7 @@
                          "colours but to .pfm and .hdr")
                         "name")]
      [("--shading") ,(lambda (flag text)
-                       (define names (map string->symbol (regexp-split #rx"," text)))
-                       (cons 'shading (check-shading flag text names)))
+                       (cons 'shading (map string->symbol (regexp-split #rx"," text))))
                     (("With --integrator raster: phong (the default), gouraud, flat, toon, wireframe,"
                       "normals, depth or texture-coordinates; several, with commas between them,"
                       "give as many pictures side by side")

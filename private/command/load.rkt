@@ -49,7 +49,7 @@
       [(samples) (check-samples what given value)]
       [(seed) (check-seed what given value)]
       [(max-depth) (check-max-depth what given value)]
-      [(shading) (check-shading what given value)]
+      [(shading) (void)] ; checked where it is used
       [(integrator) (unless (symbol? value) (unexpected what given "a symbol"))]
       [else (unexpected (format "~a: settings" word) (format "~e" key) expected)]))
   settings)

@@ -63,7 +63,11 @@
                 "another integrator than raster, which has no noise to lower"))
   (for ([flag (in-list '(resume part))] #:when (and raster? (hash-ref options flag #f)))
     (raise-user-error (format "--~a: expected another integrator than raster" flag)))
-  (define shading (if raster? (option 'shading 'phong) 'phong))
+  (define shading
+    (check-shading (if (hash-has-key? options 'shading)
+                       "--shading"
+                       (format "~a: settings, 'shading" word))
+                   (option 'shading 'phong) SHADINGS))
   ;; what a scene asks of another integrator says nothing about rasterization
   (define samples
     (cond

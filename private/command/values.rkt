@@ -1,8 +1,6 @@
 #lang racket/base
 ;; What may be asked of a render, by a flag or by a scene's settings: each check returns the value
 ;; or raises one line that says what it was for, what was given and what is expected.
-(require (only-in "../integrate/integrators.rkt" SHADINGS))
-
 (provide check-size check-samples check-error check-seconds check-seed check-workers check-tile
          check-max-depth check-part check-crop check-name check-shading unexpected
          text->natural text->naturals text->positive text->part)
@@ -73,12 +71,13 @@
     (unexpected what name (format "one of ~a" (names->text names))))
   name)
 
-;; names: a list of ways to shade, or one of them.
-(define (check-shading what given names)
-  (for ([name (if (pair? names) names (list names))])
-    (unless (memq name SHADINGS)
-      (unexpected what given (format "one or more of ~a" (names->text SHADINGS)))))
-  names)
+;; shading: one of the names, or a list of them.
+(define (check-shading what shading names)
+  (define given (if (list? shading) shading (list shading)))
+  (unless (and (pair? given) (andmap (lambda (name) (memq name names)) given))
+    (unexpected what (if (and (list? shading) (andmap symbol? shading)) (names->text shading) shading)
+                (format "one or more of ~a" (names->text names))))
+  shading)
 
 (define (names->text names)
   (apply string-append (symbol->string (car names))
