@@ -131,7 +131,13 @@
     (set! before now)
     (set! book next))
 
+  ;; Boundaries of media that are not seen are gone through, by shadow rays too.
   (define (see event number r i)
+    (unless (and (eq? event 'surface)
+                 (boundary? (vector-ref materials (fxvector-ref i hit-material))))
+      (record event number r i)))
+
+  (define (record event number r i)
     (case event
       [(surface)
        (turn! r void)
@@ -145,10 +151,8 @@
                    'throughput (color-at r throughput)
                    'weight (flvector-ref r light-density))
        (define vertex (draft 'vertex facts '() #f))
-       ;; boundaries that are not seen are no bounces
-       (set! steps (if (and (pair? steps) (boundary? (car steps))) (cdr steps) steps))
        (set! steps (cons vertex steps))
-       (unless (boundary? vertex) (set! depth (+ depth 1)))
+       (set! depth (+ depth 1))
        (set! book (lambda (light) (hash-set! facts 'emitted light)))]
       [(light)
        (turn! r void)
@@ -206,11 +210,9 @@
 (define (list->color parts) (apply make-Float3 parts))
 
 ;; A vertex, or a medium, where more may happen.
-(define (open? step) (not (or (draft-onward step) (eq? (draft-kind step) 'miss) (boundary? step))))
+(define (open? step) (not (or (draft-onward step) (eq? (draft-kind step) 'miss))))
 
-(define (boundary? step)
-  (define material (hash-ref (draft-facts step) 'material #f))
-  (and (Interior? material) (not (Interior-surface material))))
+(define (boundary? material) (and (Interior? material) (not (Interior-surface material))))
 
 (define (finished step)
   (define (value key [default #f]) (hash-ref (draft-facts step) key default))
