@@ -134,8 +134,17 @@
   ;; Boundaries of media that are not seen are gone through, by shadow rays too.
   (define (see event number r i)
     (unless (and (eq? event 'surface)
-                 (boundary? (vector-ref materials (fxvector-ref i hit-material))))
+                 (or (boundary? (vector-ref materials (fxvector-ref i hit-material)))
+                     (seen-before? r)))
       (record event number r i)))
+
+  ;; Where there are media a surface is looked at once to know whether it is a boundary, and again.
+  (define (seen-before? r)
+    (and (pair? steps)
+         (eq? 'vertex (draft-kind (car steps)))
+         (open? (car steps))
+         (null? (draft-lights (car steps)))
+         (equal? (color-at r surface-point) (hash-ref (draft-facts (car steps)) 'point))))
 
   (define (record event number r i)
     (case event
