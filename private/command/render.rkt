@@ -82,7 +82,8 @@
     (let ([found (regexp-match #rx"^hosts:(.+)$" (symbol->string (option 'schedule 'futures)))])
       (and found (cadr found))))
   (define schedule
-    (if hosts 'hosts (named-option 'schedule 'futures (remq 'hosts SCHEDULES))))
+    (if hosts 'hosts (named-option 'schedule 'futures
+                                (append (remq 'hosts SCHEDULES) '(hosts:FILE)))))
   (when hosts (read-hosts hosts))
   (define workers (option 'workers (default-worker-count)))
   (define tile (option 'tile 16))

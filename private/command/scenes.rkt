@@ -10,9 +10,10 @@
 ;; package-scenes : the paths of the package's scenes, sorted.
 (define (package-scenes)
   (if (directory-exists? scenes-folder)
-      (for/list ([file (in-list (directory-list scenes-folder #:build? #t))]
-                 #:when (regexp-match? #rx"[.]rkt$" (path->bytes file)))
-        file)
+      (sort (for/list ([file (in-list (directory-list scenes-folder #:build? #t))]
+                       #:when (regexp-match? #rx"[.]rkt$" (path->bytes file)))
+              file)
+            string<? #:key scene-name)
       '()))
 
 ;; scene-name : a scene's path without folder and extension, as a string.

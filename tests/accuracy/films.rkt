@@ -6,7 +6,7 @@
          "../../private/render/pixel.rkt" "../../private/render/passes.rkt")
 
 (unsafe-require/typed "../../private/render/schedule/sequential.rkt"
-  [run-sequential (-> Job Target Fixnum (-> Any) Any)])
+  [run-sequential (-> Job Target Fixnum (-> Any) (-> Fixnum Any Void) Any)])
 
 (provide film-samples)
 
@@ -20,7 +20,7 @@
   (define film (Target-film target))
   (define passes
     (make-passes film width (Job-tile-count job) (Goal MOST-SAMPLES error #f)))
-  (run-sequential job target 1 (Passes-next passes))
+  (run-sequential job target 1 (Passes-next passes) void)
   (for/vector : (Vectorof Flonum)
               ([at (in-range (taken-place) (flvector-length film) (PIXEL-PLACES))])
     (flvector-ref film at)))

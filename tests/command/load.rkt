@@ -67,7 +67,7 @@
        (check-refused (scene-text #:provide "world camera settings"
                                   (format "(define settings ~a)" text))
                       (string-append "scene.rkt: " line)))
-     (define keys "a hash with keys among 'size, 'samples, 'seed, 'integrator and 'max-depth")
+     (define keys "a hash with keys among 'size, 'samples, 'seed, 'integrator, 'max-depth and 'shading")
      (check-settings "4" (format "expected `settings` to be ~a, found 4" keys))
      (check-settings "(hash 'what 1)" (format "settings 'what: expected ~a" keys))
      (check-settings "(hash 'samples 0)"

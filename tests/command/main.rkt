@@ -38,7 +38,8 @@
               "good.rkt" "-o" "none/a.ppm")
      (refused (string-append "--integrator what: expected one of " (listed INTEGRATORS))
               "good.rkt" "--integrator" "what")
-     (refused (string-append "--schedule what: expected one of " (listed SCHEDULES))
+     (refused (string-append "--schedule what: expected one of "
+                             (listed (append (remq 'hosts SCHEDULES) '(hosts:FILE))))
               "good.rkt" "--schedule" "what")
      (refused (string-append "--crop 0,0,65,1: expected X,Y,WIDTH,HEIGHT, four whole numbers that"
                              " tell a part of 64x36")

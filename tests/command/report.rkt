@@ -11,6 +11,7 @@
     (render-report (hash-set about 'stoppedBy stopped-by)
                    (Statistics 2304 (* 2304 samples) 4608 2304
                                rejected (and (positive? rejected) (list 12 7 3))
+                               0 '()
                                error (and error (/ error 100)) 1 stopped-by
                                0.25 seconds 0.75)))
   (define (errors-of use)

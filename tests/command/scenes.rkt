@@ -21,6 +21,6 @@
        (for ([wrong (in-list '("none" "none.rkt" "none/seed.rkt" "" "." "a\0b" "../"))])
          (check-exn (lambda (e)
                       (and (exn:fail:user? e)
-                           (regexp-match? #rx": expected a scene [(]a .rkt, .*or one of .* seed"
+                           (regexp-match? #rx": expected a scene [(]a .rkt, .*raco raytrace list shows"
                                           (exn-message e))))
                     (lambda () (find-scene wrong))))))))

@@ -44,5 +44,5 @@
        (define out (open-output-string))
        (parameterize ([current-error-port out]) (load-studio large show?))
        (get-output-string out))
-     (check-regexp-match #px"^(\r[0-9]+%[^\r]*\e\\[K)+\r\e\\[K$" (shown #t))
+     (check-regexp-match #px"^(\r[0-9]+%[^\r]*\e\\[K)+\r\e\\[J$" (shown #t))
      (check-equal? (shown #f) ""))))

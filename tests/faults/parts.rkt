@@ -1,5 +1,5 @@
 #lang racket/base
-;; Parts of a picture, rendered by GNU parallel and by xargs and merged, are the undivided picture to the
+;; Parts of a picture, rendered by GNU parallel and merged, are the undivided picture to the
 ;; byte; what does not belong together or is missing is named.
 (module+ test
   (require compiler/find-exe racket/file racket/port racket/system rackunit
