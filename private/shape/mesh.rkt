@@ -23,7 +23,7 @@
         (lambda ([mesh : Mesh] [hash : (-> Any Integer)]) (hash (Mesh-positions mesh))))
   #:property prop:custom-write
   (lambda ([mesh : Mesh] [port : Output-Port] [mode : (U Boolean 0 1)])
-    (if (> (Mesh-triangle-count mesh) MOST-PRINTED-TRIANGLES)
+    (if (or (boolean? mode) (> (Mesh-triangle-count mesh) MOST-PRINTED-TRIANGLES))
         (fprintf port "#<Mesh: ~a triangles, ~a vertices>"
                  (Mesh-triangle-count mesh) (quotient (flvector-length (Mesh-positions mesh)) 3))
         (print-call 'Mesh (list (Mesh-positions mesh) (Mesh-triangles mesh))
@@ -34,7 +34,7 @@
 (unsafe-require/typed "../base/print.rkt"
   [print-call (-> Symbol (Listof Any) (Listof Any) Output-Port (U Boolean 0 1) Any)])
 
-;; A larger mesh prints short: nobody reads its expression.
+;; A larger mesh prints short: nobody reads its expression, nor that of one that is displayed or written.
 (define MOST-PRINTED-TRIANGLES 100)
 
 ;; All that makes two meshes equal.

@@ -52,7 +52,7 @@
                            'relativeError (json-null) 'relativeErrorUncertainty (json-null)
                            'pixels 2304 'samples 4 'nearestRays 4608 'occlusionRays 2304
                            'raysPerPixel 3.0 'millionRaysPerSecond 0.013824 'buildSeconds 0.25
-                           'seconds 0.5 'processorSeconds 0.75 'rejectedSamples 0))
+                           'seconds 0.5 'processorSeconds 0.75 'rejectedSamples 0 'failedPixels 0))
      ;; no rate without time; an older file is replaced
      (check-equal? (hash-ref (json-of (report-of #:seconds 0.0)) 'millionRaysPerSecond) (json-null))
      (check-equal? (files folder) '("s.json"))

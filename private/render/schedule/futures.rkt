@@ -16,6 +16,13 @@
          (run-pass procedures counter report!)
          (pass))))))
 
+;; A future that raises what is no exception would never be touched to its end.
+(define (start render-tile! counter at)
+  (future
+   (lambda ()
+     (with-handlers ([(lambda (e) (not (exn? e))) (lambda (e) (error (format "raised ~e" e)))])
+       (work render-tile! counter at)))))
+
 ;; Each worker is a future, and each future is touched by a thread of its own: if a scene's function
 ;; does what a future may not, it goes on in that thread. So does a tile in which something was raised,
 ;; and then another future takes the worker's other tiles. What goes on being raised stops all of them
@@ -25,7 +32,7 @@
   (define futures
     (for/list ([render-tile! (in-list procedures)])
       (define at (box #f))
-      (cons (future (lambda () (work render-tile! counter at))) at)))
+      (cons (start render-tile! counter at) at)))
   (define (finish f render-tile! at)
     (when (with-handlers ([fault? (lambda (e) (unless (unbox at) (raise e)) #t)])
             (touch f)
@@ -33,7 +40,7 @@
       (render-carefully! render-tile! (unbox at) report!)
       (set-box! at #f)
       (tile-done! counter)
-      (finish (future (lambda () (work render-tile! counter at))) render-tile! at)))
+      (finish (start render-tile! counter at) render-tile! at)))
   (define threads
     (for/list ([f+at (in-list futures)] [render-tile! (in-list procedures)])
       (thread
