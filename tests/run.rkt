@@ -95,20 +95,28 @@
     (thread (lambda () (for ([item (in-list items)]) (channel-put next item))))
     (for/list ([item (in-list items)]) (channel-get results)))
 
-  ;; Compiles the tests and what they use, so that not every process does it again and none runs what
-  ;; was compiled before a change.
+  ;; Compiles the package and then the tests, as many at a time as there are processors, so that not
+  ;; every process does it again and none runs what was compiled before a change.
   (define (compile-all tests)
-    (define files
+    (define package
       (cons (build-path package-folder "main.rkt")
             (append-map (lambda (folder)
                           (find-files (lambda (path) (path-has-extension? path #".rkt"))
                                       (build-path package-folder folder)))
                         '("private" "scenes"))))
+    (define count (processor-count))
+    (define shares
+      (for/list ([k (in-range count)])
+        (for/list ([test (in-list tests)] [n (in-naturals)] #:when (= k (remainder n count))) test)))
+    (subprocess-wait (start-compiling package))
+    (for-each subprocess-wait (map start-compiling (filter pair? shares))))
+
+  (define (start-compiling files)
     (define-values (process out in err)
       (apply subprocess (current-output-port) #f (current-error-port)
-             (find-exe) "-N" "raco" "-l-" "raco" "make" (append files tests)))
+             (find-exe) "-N" "raco" "-l-" "raco" "make" files))
     (close-output-port in)
-    (subprocess-wait process))
+    process)
 
   (command-line
    #:program "racket tests/run.rkt"
