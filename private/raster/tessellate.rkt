@@ -448,7 +448,6 @@
 ;; Several as one.
 (: joined (-> (Listof Tessellation) Tessellation))
 (define (joined parts)
-  (define (no-vertices) (flvector))
   (: together (-> (-> Tessellation FlVector) FlVector))
   (define (together field)
     (apply flvector (apply append (for/list : (Listof (Listof Flonum)) ([part (in-list parts)])

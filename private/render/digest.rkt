@@ -1,7 +1,7 @@
 #lang racket/base
 ;; A number that tells whether two worlds are the same, across processes: by everything they hold.
 (require racket/flonum racket/fixnum file/sha1
-         (only-in "../world/world.rkt" World? World-shapes World-lights World-background World-shading)
+         (only-in "../world/world.rkt" World? World-parts)
          (only-in "../shape/mesh.rkt" Mesh? Mesh-positions Mesh-triangles Mesh-normals Mesh-uvs
                   Mesh-material))
 
@@ -48,8 +48,7 @@
          ;; what these keep for later follows from the rest
          [(World? value)
           (put 'World)
-          (for-each walk (list (World-shapes value) (World-lights value) (World-background value)
-                               (World-shading value)))]
+          (for-each walk (World-parts value))]
          [(Mesh? value)
           (put 'Mesh)
           (for-each walk (list (Mesh-positions value) (Mesh-triangles value) (Mesh-normals value)

@@ -1,6 +1,6 @@
 #lang racket/base
 ;; What went wrong in a scene's functions or in workers while rendering, each kind told once.
-(provide make-faults)
+(provide make-faults fault-text)
 
 ;; make-faults : a procedure that is given the number of a pixel that was left in the error colour, and
 ;; the exception or a text that tells why, and one that returns the list of (text column row), with the
@@ -22,6 +22,7 @@
       (list (car fault) (remainder (cdr fault) width) (quotient (cdr fault) width))))
   (values report! all))
 
+;; What is said of an exception, a text, or anything else that was raised.
 (define (fault-text why)
   (cond [(string? why) why]
         [(exn? why) (exn-message why)]

@@ -4,7 +4,7 @@
 (require "../base/unsafe.rkt" "../image/image.rkt")
 
 (provide PIXEL-PLACES sums-place squares-place rays-place taken-place wanted-place
-         Film-want! Film-image Film-samples Film-squared-error Film-relative-error
+         Film-want! Film-image Film-squared-error Film-relative-error
          (struct-out Target) Target-image Target-finish!
          TALLY-PLACES tally-version tally-nearest tally-occlusion tally-rejected tally-pixel tally-sample
          tally-taken tally-failed ERROR-RAYS pixel-places tally-places error-rays tally-failed-place tally-nearest-place tally-occlusion-place Target-version
@@ -27,14 +27,6 @@
     (when (fx< at (flvector-length film))
       (flvector-set! film (fx+ at (wanted-place)) (fx->fl samples))
       (each (fx+ at (PIXEL-PLACES))))))
-
-;; How many samples were taken in all.
-(: Film-samples (-> FlVector Flonum))
-(define (Film-samples film)
-  (let each ([at : Fixnum 0] [sum : Flonum 0.0])
-    (if (fx< at (flvector-length film))
-        (each (fx+ at (PIXEL-PLACES)) (fl+ sum (flvector-ref film (fx+ at (taken-place)))))
-        (fl+ sum 0.0))))
 
 ;; The first stream's share of n samples: it has one more where n is odd.
 (define-syntax-rule (first-stream-count n) (flfloor (fl* 0.5 (fl+ n 1.0))))

@@ -5,8 +5,7 @@
 (require racket/flonum racket/fixnum
          (only-in "../base/float3.rkt" make-Float3)
          (only-in "../base/transform.rkt" Transform-identity)
-         (only-in "../world/world.rkt" make-World World? World-shapes World-lights
-                  World-background World-shading World-medium World-from-parts)
+         (only-in "../world/world.rkt" make-World World? World-parts World-shading World-from-parts)
          (only-in "../world/camera.rkt" Camera-look-at)
          (only-in "../world/background.rkt" make-GradientSky)
          (only-in "../light/environment.rkt" make-EnvironmentMap)
@@ -102,8 +101,7 @@
 (define (name+fields value)
   (cond
     [(World? value)
-     (list 'World (World-shapes value) (World-lights value) (World-background value)
-           (World-shading value) (World-medium value))]
+     (cons 'World (World-parts value))]
     [(Mesh? value)
      (list 'Mesh (Mesh-positions value) (Mesh-triangles value) (Mesh-normals value)
            (Mesh-uvs value) (Mesh-material value))]

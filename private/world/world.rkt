@@ -5,7 +5,7 @@
          "../shape/shape.rkt" "../shape/sphere.rkt" "../light/light.rkt" "../light/distant.rkt"
          "../medium/medium.rkt" "background.rkt" "scene.rkt")
 
-(provide (struct-out World) make-World (struct-out Shading) World-from-parts World-scene
+(provide (struct-out World) make-World (struct-out Shading) World-from-parts World-parts World-scene
          World-spheres World-sun World-background-color
          WORLD-AMBIENT-SAMPLES WORLD-MAX-OCCLUSION-DISTANCE)
 
@@ -59,7 +59,7 @@
 (unsafe-require/typed "../base/print.rkt"
   [print-call (-> Symbol (Listof Any) (Listof Any) Output-Port (U Boolean 0 1) Any)])
 
-;; All that makes two worlds equal.
+;; All that makes two worlds equal, as World-from-parts takes it.
 (: World-parts (-> World (Listof Any)))
 (define (World-parts world)
   (list (World-shapes world) (World-lights world) (World-background world) (World-shading world)

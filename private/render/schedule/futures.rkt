@@ -1,6 +1,6 @@
 #lang racket/base
 ;; Workers on futures: operating-system threads that share the memory of this process.
-(require racket/future "../job.rkt" "tiles.rkt")
+(require racket/future "../job.rkt" "../faults.rkt" "tiles.rkt")
 
 (provide run-futures)
 
@@ -20,7 +20,7 @@
 (define (start render-tile! counter at)
   (future
    (lambda ()
-     (with-handlers ([(lambda (e) (not (exn? e))) (lambda (e) (error (format "raised ~e" e)))])
+     (with-handlers ([(lambda (e) (not (exn? e))) (lambda (e) (error (fault-text e)))])
        (work render-tile! counter at)))))
 
 ;; Each worker is a future, and each future is touched by a thread of its own: if a scene's function

@@ -5,6 +5,8 @@
 ;; raises if the render shall stop there. A tile is a transaction: it is rendered in scratch and written
 ;; to the target as a whole, its version (see Target) odd meanwhile; only then it counts as done. A tile
 ;; that was lost is given back and done again by whoever takes it next, with the same bits.
+(require "../faults.rkt")
+
 (provide make-tile-counter take-tile! wait-for-tile give-back! tile-done! tiles-done tiles-finished?
          tile-counter-stop! work render-carefully! render-with-faults call-with-lock fault? call-without-exit)
 
@@ -97,7 +99,7 @@
 (define (render-with-faults render-tile! tile)
   (define faults '())
   (define (add! pixel e)
-    (define text (if (exn? e) (exn-message e) (format "raised ~e" e)))
+    (define text (fault-text e))
     (unless (assoc text faults) (set! faults (cons (cons text pixel) faults))))
   (when (with-handlers ([fault? (lambda (e) #t)]) (render-tile! tile #f) #f)
     (render-carefully! render-tile! tile add!))
