@@ -60,6 +60,8 @@
   [sample-u 1] [sample-v 1] [film-x 1] [film-y 1]
   ;; an orthonormal frame, and room a kernel may use between two calls
   [frame-tangent 3] [frame-bitangent 3] [workspace 24]
+  ;; for every gathered primitive the least and the greatest cosine to the normal at which it can be hit
+  [gathered-bands 32]
   ;; rays kept while an instance is entered: 9 places a level
   [saved-rays 72]
   ;; flonums that have to survive calls: whoever owns places of the stack owns the same ones here

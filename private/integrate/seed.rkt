@@ -229,20 +229,29 @@
   (define linear? (eq? 'linear (Shading-occlusion-falloff shading)))
   (define gathered? (fx> (fxvector-ref i gathered-count) 0))
   (sample-fold-start! i count)
+  (let-float3 ([n (Float3-in r surface-shading-normal)])
+    (let-frame (tangent bitangent) n
+      (Float3-put! r frame-tangent tangent)
+      (Float3-put! r frame-bitangent bitangent)))
   (flvector-set! r ambient-percent 0.0)
   (let fold ([n : Fixnum 0])
     (when (fx< n count)
-      (sample-fold-pair! r i n)
-      (put-hemisphere-direction! r cosine?)
-      (flvector-set! r ray-limit max-distance)
-      (let ([hit? (cond
-                    [gathered? (Scene-nearest-gathered! scene r i)]
-                    [linear? (Scene-nearest! scene r i)]
-                    [else (Scene-occluded? scene r i)])])
-        (add-percent! r (cond
-                          [(not hit?) 1.0]
-                          [linear? (fl/ (flvector-ref r hit-t) max-distance)]
-                          [else 0.0])))
+      (sample-fold-first! r i n)
+      (cond
+        [(and gathered? (not (gathered-reach? r i (sample-cosine r cosine?))))
+         (add-percent! r 1.0)]
+        [else
+         (sample-fold-second! r i n)
+         (put-hemisphere-direction! r cosine?)
+         (flvector-set! r ray-limit max-distance)
+         (let ([hit? (cond
+                       [gathered? (Scene-nearest-gathered! scene r i)]
+                       [linear? (Scene-nearest! scene r i)]
+                       [else (Scene-occluded? scene r i)])])
+           (add-percent! r (cond
+                             [(not hit?) 1.0]
+                             [linear? (fl/ (flvector-ref r hit-t) max-distance)]
+                             [else 0.0])))])
       (fold (fx+ n 1))))
   (flvector-set! r ambient-percent
                  (fl/ (flvector-ref r ambient-percent) (fx->fl count))))
@@ -250,14 +259,19 @@
 (define-syntax-rule (add-percent! r amount)
   (flvector-set! r ambient-percent (fl+ amount (flvector-ref r ambient-percent))))
 
+;; The cosine to the normal of the direction that put-hemisphere-direction! will make.
+(define-syntax-rule (sample-cosine r cosine?)
+  (let ([height (fl- 1.0 (flvector-ref r sample-u))])
+    (if cosine? (flsqrt height) height)))
+
 (: put-hemisphere-direction! (-> FlVector Boolean Void))
 (define (put-hemisphere-direction! r cosine?)
-  (define-syntax-rule (put-around-normal! local-direction)
-    (let-float3 ([n (Float3-in r surface-shading-normal)] [local local-direction])
-      (let-frame (tangent bitangent) n
-        (Float3-put! r ray-direction (Frame-to-world tangent bitangent n local)))))
+  (define-syntax-rule (put-in-frame! local-direction)
+    (let-float3 ([local local-direction])
+      (Float3-put! r ray-direction
+                   (Frame-to-world (Float3-in r frame-tangent) (Float3-in r frame-bitangent)
+                                   (Float3-in r surface-shading-normal) local))))
   (if cosine?
-      (put-around-normal! (warp-cosine-hemisphere (flvector-ref r sample-u)
-                                                  (flvector-ref r sample-v)))
-      (put-around-normal! (warp-uniform-hemisphere (flvector-ref r sample-u)
-                                                   (flvector-ref r sample-v)))))
+      (put-in-frame! (warp-cosine-hemisphere (flvector-ref r sample-u) (flvector-ref r sample-v)))
+      (put-in-frame! (warp-uniform-hemisphere (flvector-ref r sample-u)
+                                              (flvector-ref r sample-v)))))

@@ -5,7 +5,8 @@
          "hash.rkt" "point-sets.rkt")
 
 (provide SAMPLERS sampler-number Sampler-choose! Sampler-start! sample-point
-         sample-pair! sample-next-pair! sample-fold-start! sample-fold-pair!)
+         sample-pair! sample-next-pair! sample-fold-start! sample-fold-pair! sample-fold-first!
+         sample-fold-second!)
 
 ;; By name, in the order of their numbers in the scratch.
 (define SAMPLERS : (Listof Symbol) '(owen-sobol independent stratified r2))
@@ -88,14 +89,36 @@
 ;; The pair of the n-th sample of the fold.
 (: sample-fold-pair! (-> FlVector FxVector Fixnum Void))
 (define (sample-fold-pair! r i n)
-  (define index (fxand (fx+ n (fxvector-ref i fold-start)) (MASK32)))
+  (sample-fold-first! r i n)
+  (sample-fold-second! r i n))
+
+;; The first number of the n-th sample of the fold, into sample-u; where it already decides the
+;; second one, which costs more, need not be asked for.
+(: sample-fold-first! (-> FlVector FxVector Fixnum Void))
+(define (sample-fold-first! r i n)
+  (define index (fold-index i n))
   (define seed-u (fxvector-ref i fold-seed-u))
-  (define seed-v (fxvector-ref i fold-seed-v))
   (define kind (fxvector-ref i sampler-kind))
   (cond
-    [(fx= kind (OWEN-SOBOL)) (put-scrambled-sobol! r index seed-u seed-v)]
-    [(fx= kind (INDEPENDENT)) (independent-pair! r seed-u index)]
+    [(fx= kind (OWEN-SOBOL)) (flvector-set! r sample-u (scrambled-sobol-u index seed-u))]
+    [(fx= kind (INDEPENDENT)) (flvector-set! r sample-u (independent-u seed-u index))]
     [(fx= kind (STRATIFIED))
      (stratified-pair! r (hash-pair seed-u (fxvector-ref i fold-start)) n
                        (fxvector-ref i fold-count))]
-    [else (put-rotated-r2! r index seed-u seed-v)]))
+    [else (flvector-set! r sample-u (rotated-r2-u index seed-u))]))
+
+;; The second number of the n-th sample of the fold, after the first, into sample-v.
+(: sample-fold-second! (-> FlVector FxVector Fixnum Void))
+(define (sample-fold-second! r i n)
+  (define index (fold-index i n))
+  (define seed-v (fxvector-ref i fold-seed-v))
+  (define kind (fxvector-ref i sampler-kind))
+  (cond
+    [(fx= kind (OWEN-SOBOL)) (flvector-set! r sample-v (scrambled-sobol-v index seed-v))]
+    [(fx= kind (INDEPENDENT))
+     (flvector-set! r sample-v (independent-v (fxvector-ref i fold-seed-u) index))]
+    ;; both numbers of a cell came together
+    [(fx= kind (STRATIFIED)) (void)]
+    [else (flvector-set! r sample-v (rotated-r2-v index seed-v))]))
+
+(define-syntax-rule (fold-index i n) (fxand (fx+ n (fxvector-ref i fold-start)) (MASK32)))

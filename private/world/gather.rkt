@@ -4,7 +4,7 @@
 (require "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt"
          "../shape/sphere.rkt" "hierarchy.rkt" "scene.rkt")
 
-(provide Scene-gather! Scene-nearest-gathered! GATHER-LIMIT)
+(provide Scene-gather! gathered-reach? Scene-nearest-gathered! GATHER-LIMIT)
 
 ;; More than this many are cheaper to find by walking the hierarchy for every ray.
 (define-syntax-rule (GATHER-LIMIT) 16)
@@ -59,11 +59,45 @@
                                                       (fx= own (fxvector-ref order place)))))
                                    (let ([known (fxvector-ref i gathered-count)])
                                      (fxvector-set! i (fx+ gathered known) place)
+                                     (put-band! r known along radius
+                                                (Float3-length-squared to-center))
                                      (fxvector-set! i gathered-count (fx+ known 1))))))
                              (add (fx+ place 1)))))
                        (pop)]))
                   (pop))))))
       (fxvector-set! i gathered-count -1)))
+
+;; A sphere seen within the angle a of its centre, that stands at the angle b to the normal, is met
+;; at angles from b - a to b + a only. `along` is the centre's height over the tangent plane.
+(define-syntax-rule (put-band! r k along radius distance-squared)
+  (let* ([sine-squared (fl/ (fl* radius radius) distance-squared)]
+         [cosine (fl/ along (flsqrt distance-squared))])
+    (if (fl< sine-squared 0.999999)
+        (let* ([level (fl* cosine (flsqrt (fl- 1.0 sine-squared)))]
+               [swing (flsqrt (fl* sine-squared (flmax 0.0 (fl- 1.0 (fl* cosine cosine)))))]
+               [zenith? (and (fl> cosine 0.0) (fl>= (fl* cosine cosine) (fl- 1.0 sine-squared)))])
+          (flvector-set! r (band k) (fl- (fl- level swing) (BAND-MARGIN)))
+          (flvector-set! r (fx+ 1 (band k))
+                         (if zenith? 2.0 (fl+ (fl+ level swing) (BAND-MARGIN)))))
+        (begin
+          (flvector-set! r (band k) -2.0)
+          (flvector-set! r (fx+ 1 (band k)) 2.0)))))
+(define-syntax-rule (band k) (fx+ gathered-bands (fx* 2 k)))
+;; roots of differences are exact to 2e-8
+(define-syntax-rule (BAND-MARGIN) 1e-6)
+
+(define-syntax-rule (in-band? r k cosine)
+  (and (fl>= cosine (flvector-ref r (band k)))
+       (fl<= cosine (flvector-ref r (fx+ 1 (band k))))))
+
+;; Whether a direction of this cosine to the normal can meet anything that was gathered.
+(: gathered-reach? (-> FlVector FxVector Flonum Boolean))
+(define (gathered-reach? r i cosine)
+  (define count (fxvector-ref i gathered-count))
+  (let try ([k : Fixnum 0])
+    (and (fx< k count)
+         (or (in-band? r k cosine)
+             (try (fx+ k 1))))))
 
 ;; The squared distance from the origin to a box, low and high relative to it.
 (define-syntax-rule (box-distance-squared low high)
@@ -80,8 +114,8 @@
        (fl+ (fl* (Float3-y n) (if (fl> (Float3-y n) 0.0) (Float3-y high) (Float3-y low)))
             (fl* (Float3-z n) (if (fl> (Float3-z n) 0.0) (Float3-z high) (Float3-z low))))))
 
-;; Scene-nearest! among what was gathered, for rays above the tangent plane no longer than the
-;; distance; only hit-t is written.
+;; Scene-nearest! among what was gathered, for rays of unit direction above the tangent plane, no
+;; longer than the distance; only hit-t is written.
 (: Scene-nearest-gathered! (-> Scene FlVector FxVector Boolean))
 (define (Scene-nearest-gathered! scene r i)
   (define spheres (Scene-spheres scene))
@@ -91,15 +125,18 @@
                [d (Float3-in r ray-direction)])
     (let* ([dd (Float3-length-squared d)]
            [inverse-dd (fl/ 1.0 dd)]
-           [start-limit (flvector-ref r ray-limit)])
+           [start-limit (flvector-ref r ray-limit)]
+           [cosine (Float3-dot d (Float3-in r surface-normal))])
       (let try ([k : Fixnum gathered] [limit : Flonum start-limit])
         (if (fx= k end)
             (and (fl< limit start-limit)
                  (begin (flvector-set! r hit-t limit) #t))
-            (let ([place (fxvector-ref i k)])
-              (let-float3 ([center (Float3-in spheres (fx* 4 place))])
-                (let ([t (Sphere-nearest-root o d dd inverse-dd center
-                                              (flvector-ref spheres (fx+ 3 (fx* 4 place))))])
-                  (if (and (fl< t limit) (fl> t 0.0))
-                      (try (fx+ k 1) t)
-                      (try (fx+ k 1) limit))))))))))
+            (if (in-band? r (fx- k gathered) cosine)
+                (let ([place (fxvector-ref i k)])
+                  (let-float3 ([center (Float3-in spheres (fx* 4 place))])
+                    (let ([t (Sphere-nearest-root o d dd inverse-dd center
+                                                  (flvector-ref spheres (fx+ 3 (fx* 4 place))))])
+                      (if (and (fl< t limit) (fl> t 0.0))
+                          (try (fx+ k 1) t)
+                          (try (fx+ k 1) limit)))))
+                (try (fx+ k 1) limit)))))))
