@@ -1,8 +1,8 @@
 #lang scribble/manual
 @; From one sphere to the weekend's scene, a few lines at a time.
-@(require scribble/example (for-label racket/base raytrace))
+@(require scribble/example "pictures.rkt" (for-label racket/base raytrace))
 
-@(define tutorial (make-base-eval #:lang 'racket/base '(require raytrace)))
+@(define tutorial (make-pictures))
 
 @title[#:tag "tutorial"]{From one sphere to a weekend}
 
@@ -17,8 +17,8 @@ x to the right, y up and z towards you; colours are red, green and blue, from 0 
 light. A sphere is a middle, a radius and a material; @racket[Lambertian] is a matte material, like chalk,
 and its colour says how much of the light it sends back.
 
+@racketinput[(require raytrace)]
 @examples[#:eval tutorial #:label #f
-(require raytrace)
 (define red (Lambertian (Float3 0.8 0.15 0.1)))
 (define ball (Sphere (Float3 0 1 0) 1 red))
 (define camera
@@ -132,7 +132,7 @@ a lamp would be outdoors, so the sky is darkened as well.
 (define lamp (Sphere (Float3 5 8 -4) 2 (Emitter (Float3 18 16 13))))
 (define evening (GradientSky (Float3 0.25 0.22 0.2) (Float3 0.06 0.1 0.2)))
 (render (World (list* ground glass-ball lamp small-balls) '() evening) higher
-        #:width 320 #:height 180 #:samples 64)
+        #:width 320 #:height 180 #:samples 24)
 ]
 
 @section[#:tag "tutorial-metal"]{Metal}
