@@ -1,8 +1,10 @@
 #lang racket/base
 ;; Evaluators for the manual's examples, which render pictures while a page is built.
-(require scribble/example)
+(require racket/lazy-require)
 
 (provide make-pictures)
+
+(lazy-require [scribble/example (make-base-eval)]) ; not loaded where the package is compiled alone
 
 ;; make-pictures : an evaluator of racket/base with raytrace. Where the environment says
 ;; RAYTRACE_MANUAL=small, all pictures are an eighth as large and of two samples, to see quickly
