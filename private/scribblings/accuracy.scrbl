@@ -27,7 +27,7 @@ Is it true? Here the same scene is rendered with eight seeds and compared with a
 @examples[#:eval accuracy #:label #f
 (define world
   (World (list (Disk (Float3 0 0 0) (Float3 0 1 0) 9 (Lambertian (Float3 0.5 0.5 0.5)))
-               (Sphere (Float3 0 1 0) 1 (Plastic (Float3 0.7 0.2 0.1)))
+               (Sphere (Float3 0 1 0) 1 (Lambertian (Float3 0.7 0.2 0.1)))
                (Sphere (Float3 3 5 2) 1 (Emitter (Float3 12 12 12))))
          '() (Float3 0.2 0.25 0.3)))
 (define camera
