@@ -34,7 +34,7 @@ Is it true? Here the same scene is rendered with eight seeds and compared with a
   (Camera-look-at (Float3 0 2 6) (Float3 0 1 0) #:vertical-field-of-view-degrees 30))
 (define (picture samples seed)
   (render world camera #:width 64 #:height 36 #:samples samples #:seed seed))
-(define reference (picture 2048 1000))
+(define reference (picture 1024 1000))
 (define (mean numbers) (/ (apply + numbers) (length numbers)))
 (define brightness (mean (for/list ([x (Image-pixels reference)]) x)))
 (define pictures (for/list ([seed 8]) (picture 16 seed)))
@@ -109,7 +109,7 @@ bounces among their facets is dropped; here it is given back. What can be seen i
          '() (Float3 1 1 1)))
 (define white
   (render furnace (Camera-look-at (Float3 0 0 12) (Float3 0 0 0) #:vertical-field-of-view-degrees 20)
-          #:width 240 #:height 68 #:integrator 'path #:samples 64))
+          #:width 240 #:height 68 #:integrator 'path #:samples 32))
 (code:comment "the mean of the middle of each ball")
 (for/list ([x '(46 97 142 193)])
   (mean (for/list ([value (Image-pixels (Image-crop white (- x 10) 24 20 20))]) value)))

@@ -21,10 +21,10 @@ square.
 (define camera
   (Camera-look-at (Float3 0 1.8 7) (Float3 0 0.9 0) #:vertical-field-of-view-degrees 29))
 (define (stage . shapes) (World (list* ground lamp shapes) '() sky))
-(define (picture world [camera camera] #:samples [samples 16])
-  (render world camera #:width 240 #:height 135 #:samples samples))
+(define (picture world [camera camera] #:samples [samples 12])
+  (render world camera #:width 208 #:height 117 #:samples samples))
 (define (ball x material) (Sphere (Float3 x 1 0) 1 material))
-(define (three left middle right #:samples [samples 16])
+(define (three left middle right #:samples [samples 12])
   (picture (stage (ball -2.1 left) (ball 0 middle) (ball 2.1 right)) #:samples samples))
 ]
 
@@ -105,10 +105,10 @@ from the lower to the upper edge; @racket[#:lens-radius] and @racket[#:focus-dis
 (define things (apply stage (for/list ([x '(-2.1 0 2.1)] [k 3])
                               (ball x (Plastic (Float3-random-color #:seed 3 #:index k))))))
 (Images-side-by-side
- (list (preview things camera #:width 160 #:height 120)
-       (preview things (Camera-orbit camera 50 25) #:width 160 #:height 120)
+ (list (preview things camera #:width 130 #:height 100)
+       (preview things (Camera-orbit camera 50 25) #:width 130 #:height 100)
        (preview things (Camera-orthographic (Float3 4 4 7) (Float3 0 1 0) #:height 4)
-                #:width 160 #:height 120))
+                #:width 130 #:height 100))
  #:labels '("the camera" "carried around" "orthographic"))
 (picture things (Camera-fisheye (Float3 0 1.5 3) (Float3 0 1 0) #:field-of-view-degrees 200))
 ]
@@ -217,7 +217,7 @@ and @racket[Image-scale] do what they say. @racket[Image-write] writes @filepath
 @racket[Image->pict] and @racket[Image->flomap] hand a picture to other libraries.
 
 @examples[#:eval how-to #:label #f
-(define taken (render world camera #:width 160 #:height 90))
+(define taken (render world camera #:width 128 #:height 72))
 (Images-side-by-side (list taken (Image-exposed taken 1) (Image-tone taken #:exposure 1))
                      #:labels '("as it is" "one stop more" "and toned"))
 (Image-write taken "taken.pfm")
@@ -285,7 +285,7 @@ negative inside. It may tell less than the true distance. Where it changes by mo
      (* 0.08 (sin (* 8 x)) (sin (* 8 y)) (sin (* 8 z)))))
 (picture (stage (DistanceShape waves (Float3 -1 0 -1) (Float3 1 2 1) #:lipschitz 2
                                #:material (Plastic (Float3 0.6 0.3 0.1))))
-         #:samples 6)
+         #:samples 4)
 ]
 
 @; ------------------------------------------------------------------------------------------------
@@ -312,7 +312,7 @@ cut off by its box.
 (define bowl
   (CustomShape (Float3 -1.31 0 -1.31) (Float3 1.31 1.7 1.31) paraboloid
                #:material (Lambertian (Float3 0.6 0.65 0.5)) #:error 1e-12))
-(picture (stage bowl) (Camera-orbit camera 0 15) #:samples 8)
+(picture (stage bowl) (Camera-orbit camera 0 15) #:samples 6)
 ]
 
 @racket[#:error] says how far the computed point may be off the surface, in world units: rays that go on from there start
@@ -325,8 +325,8 @@ so far away from it, and do not meet the same place again.
 brought, and where the light came from.
 
 @examples[#:eval how-to #:label #f
-(explain world camera 120 40 #:width 240 #:height 135 #:samples 4)
-(map car (Explanation-sources (explain world camera 120 40 #:width 240 #:height 135)))
+(explain world camera 104 35 #:width 208 #:height 117 #:samples 2)
+(map car (Explanation-sources (explain world camera 104 35 #:width 208 #:height 117)))
 ]
 
 @racket[World-problems] looks for what is probably a mistake: a camera inside a shape, a light inside
@@ -343,7 +343,7 @@ error (@racket['error]).
 @examples[#:eval how-to #:label #f
 (Images-side-by-side
  (for/list ([integrator '(normals cost error)])
-   (define seen (render world camera #:width 160 #:height 90 #:integrator integrator))
+   (define seen (render world camera #:width 120 #:height 68 #:integrator integrator))
    (if (eq? integrator 'normals) seen (Image-false-color seen)))
  #:labels '("normals" "cost" "error"))
 ]

@@ -24,7 +24,7 @@ and its colour says how much of the light it sends back.
 (define camera
   (Camera-look-at (Float3 0 2 6) (Float3 0 1 0) #:vertical-field-of-view-degrees 32))
 (define world (World (list ball) '() (Float3 1 1 1)))
-(render world camera #:width 320 #:height 180)
+(render world camera #:width 256 #:height 144)
 ]
 
 The camera stands at (0, 2, 6), looks at (0, 1, 0), the middle of the ball, and sees 32 degrees from the lower to the
@@ -40,7 +40,7 @@ length, and how much light arrives. The background is now almost black.
 @examples[#:eval tutorial #:label #f
 (define sun (DistantLight (Float3 1 2 1.5) (Float3 3 2.8 2.4)))
 (define night (Float3 0.005 0.007 0.015))
-(render (World (list ball) sun night) camera #:width 320 #:height 180)
+(render (World (list ball) sun night) camera #:width 256 #:height 144)
 ]
 
 @section[#:tag "tutorial-material"]{Materials}
@@ -57,7 +57,7 @@ clear coat, and with a soft highlight. @racket[Images-side-by-side] puts picture
 (Images-side-by-side
  (for/list ([material materials])
    (render (World (list (Sphere (Float3 0 1 0) 1 material)) sun (Float3 0.3 0.35 0.4))
-           camera #:width 160 #:height 160))
+           camera #:width 120 #:height 120))
  #:labels '("Lambertian" "Plastic" "ModifiedPhong"))
 ]
 
@@ -73,7 +73,7 @@ that it faces, and a radius. Where a material takes a colour it takes a texture 
 (define ground
   (Disk (Float3 0 0 0) (Float3 0 1 0) 50
         (Lambertian (Checker (Float3 0.6 0.6 0.55) (Float3 0.25 0.3 0.3)))))
-(render (World (list ground ball) sun night) camera #:width 320 #:height 180)
+(render (World (list ground ball) sun night) camera #:width 256 #:height 144)
 ]
 
 The shadow is black but for a trace of the dark background, and a touch of red on the ground beside the ball: light
@@ -88,7 +88,7 @@ one at the top, mixed by height.
 @examples[#:eval tutorial #:label #f
 (define sky (GradientSky (Float3 0.9 0.9 0.9) (Float3 0.3 0.5 0.9)))
 (define low-sun (DistantLight (Float3 2 1.5 1) (Float3 2 1.6 1.1)))
-(render (World (list ground ball) low-sun sky) camera #:width 320 #:height 180)
+(render (World (list ground ball) low-sun sky) camera #:width 256 #:height 144)
 ]
 
 A physical sky is two calls away: see @racket[daylight-sky] and @racket[daylight-sun].
@@ -109,7 +109,7 @@ same picture comes out today and tomorrow.
 (define higher
   (Camera-look-at (Float3 0 3 8) (Float3 0 0.5 0) #:vertical-field-of-view-degrees 36))
 (render (World (list* ground ball small-balls) low-sun sky) higher
-        #:width 320 #:height 180)
+        #:width 256 #:height 144)
 ]
 
 @section[#:tag "tutorial-glass"]{Glass}
@@ -120,7 +120,7 @@ turned around and bent; what it reflects grows towards the rim. The large ball i
 @examples[#:eval tutorial #:label #f
 (define glass-ball (Sphere (Float3 0 1 0) 1 (Dielectric 1.5)))
 (render (World (list* ground glass-ball small-balls) low-sun sky) higher
-        #:width 320 #:height 180)
+        #:width 256 #:height 144)
 ]
 
 The sun is a @racket[DistantLight], a point in the sky without a size. No ray that leaves the glass can hit a
@@ -132,7 +132,7 @@ a lamp would be outdoors, so the sky is darkened as well.
 (define lamp (Sphere (Float3 5 8 -4) 2 (Emitter (Float3 18 16 13))))
 (define evening (GradientSky (Float3 0.25 0.22 0.2) (Float3 0.06 0.1 0.2)))
 (render (World (list* ground glass-ball lamp small-balls) '() evening) higher
-        #:width 320 #:height 180 #:samples 24)
+        #:width 256 #:height 144 #:samples 24)
 ]
 
 @section[#:tag "tutorial-metal"]{Metal}
@@ -156,7 +156,7 @@ simpler metal of the books, a colour and a fuzz.
 (define still-life (World (cons ground (append trio marbles)) low-sun sky))
 (define wide (Camera-look-at (Float3 0 2.6 9) (Float3 0 0.8 0)
                              #:vertical-field-of-view-degrees 28))
-(render still-life wide #:width 320 #:height 180)
+(render still-life wide #:width 256 #:height 144)
 ]
 
 @section[#:tag "tutorial-lens"]{Depth of field}
@@ -168,7 +168,7 @@ A camera with a lens is sharp at one distance. @racket[#:lens-radius] is the siz
 (define with-lens
   (Camera-look-at (Float3 0 2.6 9) (Float3 0 0.8 0)
                   #:vertical-field-of-view-degrees 28 #:lens-radius 0.25))
-(render still-life with-lens #:width 320 #:height 180)
+(render still-life with-lens #:width 256 #:height 144)
 ]
 
 @section[#:tag "tutorial-error"]{Samples and error}
@@ -177,9 +177,9 @@ A pixel is the mean of what many rays bring, 16 unless told otherwise. More rays
 
 @examples[#:eval tutorial #:label #f
 (define (with-samples count)
-  (render still-life with-lens #:width 160 #:height 90 #:samples count))
-(define pictures (map with-samples '(1 8 64)))
-(Images-side-by-side pictures #:labels '("1 sample" "8 samples" "64 samples"))
+  (render still-life with-lens #:width 128 #:height 72 #:samples count))
+(define pictures (map with-samples '(1 8 32)))
+(Images-side-by-side pictures #:labels '("1 sample" "8 samples" "32 samples"))
 ]
 
 Every picture knows how far it is off. @racket[Image-relative-error] is the estimated root mean square error of its
@@ -193,7 +193,7 @@ pixels, relative to the picture's mean, and @racket[Image-error-map] shows where
 So the plain way to ask for a picture is to say how exact it shall be. Samples then go to the pixels that need them:
 
 @examples[#:eval tutorial #:label #f
-(define exact (render still-life with-lens #:width 160 #:height 90 #:error 0.03))
+(define exact (render still-life with-lens #:width 128 #:height 72 #:error 0.04))
 exact
 (Image-relative-error exact)
 ]
@@ -235,7 +235,7 @@ which suits matte things.
 (define weekend-camera
   (Camera-look-at (Float3 13 2 3) (Float3 0 0 0) #:vertical-field-of-view-degrees 20
                   #:focus-distance 10 #:lens-radius 0.05))
-(render weekend weekend-camera #:width 384 #:height 216 #:samples 24)
+(render weekend weekend-camera #:width 320 #:height 180 #:samples 16)
 ]
 
 The scene with the very same 487 spheres that other renderers are measured by is @filepath{scenes/weekend.rkt}
