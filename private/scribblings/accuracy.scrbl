@@ -109,10 +109,14 @@ bounces among their facets is dropped; here it is given back. What can be seen i
          '() (Float3 1 1 1)))
 (define white
   (render furnace (Camera-look-at (Float3 0 0 12) (Float3 0 0 0) #:vertical-field-of-view-degrees 20)
-          #:width 240 #:height 68 #:integrator 'path #:samples 32))
+          #:width 240 #:height 68 #:integrator 'path #:samples 64))
 (code:comment "the mean of the middle of each ball")
-(for/list ([x '(46 97 142 193)])
-  (mean (for/list ([value (Image-pixels (Image-crop white (- x 10) 24 20 20))]) value)))
+(define width (Image-width white))
+(define side (quotient width 16))
+(for/list ([x '(67 102 138 173)])
+  (define left (- (quotient (* x width) 240) (quotient side 2)))
+  (define top (quotient (- (Image-height white) side) 2))
+  (mean (for/list ([value (Image-pixels (Image-crop white left top side side))]) value)))
 ]
 
 @section[#:tag "accuracy-samplers"]{Samplers}

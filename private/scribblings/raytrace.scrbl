@@ -7,7 +7,7 @@
 
 @defmodule[raytrace #:no-declare]
 
-A functional ray tracer. A @tech{world}, a camera and a handful of settings are immutable values; a picture
+A functional ray tracer. A world, a camera and a handful of settings are immutable values; a picture
 is a pure function of them, and tells how exact it is. This manual comes in four kinds of pages:
 
 @itemlist[
