@@ -195,7 +195,7 @@ makes clouds.
 (define world (stage (ball 0 (gold 0.2))))
 (Image-relative-error (render world camera #:width 80 #:height 45 #:samples 16))
 (Image-relative-error (render world camera #:width 80 #:height 45 #:error 0.02))
-(Image-relative-error (render world camera #:width 80 #:height 45 #:seconds 1))
+(Image-relative-error (render world camera #:width 80 #:height 45 #:seconds 0.5))
 ]
 
 In the shell:
@@ -357,10 +357,16 @@ In the shell:
 @; ------------------------------------------------------------------------------------------------
 @section[#:tag "how-to-manual"]{read this manual offline?}
 
-The package is installed without it, since it renders its pictures while it is built. One command builds it, the other opens
-it:
+The package is installed without it, since it renders its pictures while it is built, which takes a minute or
+two. In a clone of the repository this builds it into the folder @filepath{manual}, to be read by any browser from
+@filepath{manual/raytrace/index.html}:
 
-@commandline{raco setup --doc-index raytrace}
+@commandline{raco scribble --htmls +m --dest manual private/scribblings/raytrace.scrbl}
+
+The documentation of an installation can have it too, beside all the rest. Racket builds a manual twice for that, once for
+its links:
+
+@commandline{raco setup --avoid-main --doc-index --pkgs raytrace}
 @commandline{raco docs raytrace}
 
 @(close-eval how-to)

@@ -3,12 +3,11 @@
 @(require (for-label racket/base raytrace))
 
 @title{raytrace: pictures as pure functions}
-@author{the authors of raytrace}
 
-@defmodule[raytrace #:no-declare]
+@defmodule[raytrace #:no-declare #:packages ("raytrace")]
 
 A functional ray tracer. A world, a camera and a handful of settings are immutable values; a picture
-is a pure function of them, and tells how exact it is. This manual comes in four kinds of pages:
+is a pure function of them, and tells how exact it is. This manual has four kinds of pages:
 
 @itemlist[
 @item{@secref["tutorial"] goes from one sphere to a large scene, a few lines at a time.}
