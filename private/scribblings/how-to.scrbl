@@ -269,7 +269,11 @@ it on hosts that you share with nobody, and parts elsewhere.
 @exec{--resume} keeps what is done in @filepath{weekend.png.checkpoint}. Kill it whenever you like; the
 same command goes on, with any number of workers, and the picture is the one an undisturbed render
 would have made, to the bit. With @exec{--keep-partial} an interrupt writes the picture as far as it is, and @exec{--preview} draws it in the terminal as it
-forms. A checkpoint of another scene or of other settings is refused and left as it is.
+forms. A checkpoint of another scene, of other settings or of another version is refused and left as it is. The exit code is 130 after an
+interrupt and 143 after SIGTERM.
+
+A render for a number of samples takes 48 bytes of memory a pixel, so 7680 × 4320 pixels fit into 2 GiB; one for an
+error or a time takes 128.
 
 @; ------------------------------------------------------------------------------------------------
 @section[#:tag "how-to-distance"]{make a shape of a formula?}
@@ -347,6 +351,9 @@ error (@racket['error]).
    (if (eq? integrator 'normals) seen (Image-false-color seen)))
  #:labels '("normals" "cost" "error"))
 ]
+
+A magenta pixel is one where a function of the scene, such as a texture of your own, raised twice. The command tells which
+and why in one line, and goes on; with @exec{--strict} it stops there.
 
 In the shell:
 
