@@ -17,6 +17,7 @@
            "private/material/mirror.rkt" "private/material/metal.rkt"
            "private/material/dielectric.rkt" "private/material/plastic.rkt"
            "private/material/modified-phong.rkt" "private/material/mix.rkt"
+           "private/material/bumped.rkt"
            "private/material/rough-conductor.rkt" "private/material/rough-dielectric.rkt"
            "private/material/interior.rkt" "private/medium/medium.rkt"
            "private/material/texture/texture.rkt" "private/material/texture/checker.rkt"
@@ -99,6 +100,7 @@
  Dielectric-outside-ior Plastic Plastic? Plastic-albedo Plastic-ior
  ModifiedPhong ModifiedPhong? ModifiedPhong-albedo ModifiedPhong-specular
  ModifiedPhong-shininess Mix Mix? Mix-first Mix-second Mix-weight
+ Bumped Bumped? Bumped-material Bumped-texture Bumped-height
  RoughConductor RoughConductor? RoughConductor-roughness RoughConductor-color RoughConductor-eta
  RoughConductor-k gold copper silver aluminium
  RoughDielectric RoughDielectric? RoughDielectric-ior RoughDielectric-roughness

@@ -8,7 +8,8 @@
                                         "material/lambertian.rkt" "material/mirror.rkt"
                                         "material/metal.rkt" "material/dielectric.rkt"
                                         "material/plastic.rkt" "material/modified-phong.rkt"
-                                        "material/mix.rkt" "material/rough-conductor.rkt"
+                                        "material/mix.rkt" "material/bumped.rkt"
+                                        "material/rough-conductor.rkt"
                                         "material/rough-dielectric.rkt" "material/interior.rkt"
                                         "medium/medium.rkt"
                                         "material/texture/checker.rkt"
@@ -65,6 +66,7 @@
 (define-surface Plastic (albedo ior))
 (define-surface ModifiedPhong (albedo specular shininess))
 (define-surface Mix (first second weight))
+(define-surface Bumped (material texture height))
 (define-surface RoughConductor (roughness color eta k))
 (define-surface RoughDielectric (ior roughness absorption outside-ior))
 (define-surface Medium (extinction albedo anisotropy density majorant))

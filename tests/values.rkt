@@ -61,7 +61,8 @@
      'Plastic (list (Plastic red 1.4))
      'ModifiedPhong (list (ModifiedPhong red dark 40))
      'Mix (list (Mix (Lambertian red) (Mirror) 0.3))
-     'RoughConductor (list (RoughConductor 0.2) (gold 0.1))
+     'Bumped (list (Bumped (Mirror) (Noise red dark)) (Bumped (Lambertian red) (UVTexture) -0.2))
+     'RoughConductor (list (RoughConductor 0.2) (RoughConductor (Checker red dark)) (gold 0.1))
      'RoughDielectric (list (RoughDielectric 1.5 0.2))
      'Checker (list (Checker red dark 2))
      'CheckerUV (list (CheckerUV red dark 4) (CheckerUV red dark 4 #:rows 3))
@@ -155,6 +156,7 @@
       [(medium) (Medium 0.4 red)]
       [(lights) '()] [(background) dark] [(transform) turn] [(camera) (Camera-look-at p q)]
       [(image) (image 0.5)]
+      [(texture) (UVTexture)]
       [(procedure) (lambda (x y z) 1.0)]
       [(flvector) (flvector 0.0 0.0 0.0)] [(fxvector) (fxvector 0 0 0)]))
 

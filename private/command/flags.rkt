@@ -72,7 +72,7 @@
      [("--shading") ,(lambda (flag text)
                        (cons 'shading (map string->symbol (regexp-split #rx"," text))))
                     (("With --integrator raster: phong (the default), gouraud, flat, toon, wireframe,"
-                      "normals, depth or texture-coordinates; several, with commas between them,"
+                      "hidden-lines, normals, depth or texture-coordinates; several, with commas between them,"
                       "give as many pictures side by side")
                      "name")]
      [("--max-depth") ,(count-flag 'max-depth check-max-depth)

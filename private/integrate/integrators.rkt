@@ -14,9 +14,10 @@
   '(auto path naive-path seed ambient-occlusion normals depth cost error raster))
 
 ;; How rasterization shades: normals of corners interpolated, or colours of corners, one colour a
-;; triangle, steps with an outline, edges only; and views of one thing each.
+;; triangle, steps with an outline, all edges, edges that no surface hides; and views of one thing
+;; each.
 (define SHADINGS : (Listof Symbol)
-  '(phong gouraud flat toon wireframe normals depth texture-coordinates))
+  '(phong gouraud flat toon wireframe hidden-lines normals depth texture-coordinates))
 
 ;; Raises where there is no integrator of that name.
 (: check-integrator (-> Symbol Void))

@@ -8,7 +8,7 @@
          "../world/scene.rkt" "../world/trace.rkt")
 
 (provide NOTHING SURFACE MEDIUM start-in-media! travel! cross-surface! light-left?
-         keep-segment! restore-segment! collision-density)
+         keep-hit! restore-hit! keep-segment! restore-segment! collision-density)
 
 ;; What a ray may come to.
 (define-syntax-rule (NOTHING) 0)
@@ -244,13 +244,11 @@
     (cond
       [(Media-boundaries? media)
        (define dimension (fxvector-ref i sampler-dimension))
-       (copy-places! r ray-origin kept-for-shadow (SEGMENT-PLACES))
-       (copy-numbers! i hit-primitive kept-hit-for-shadow (HIT-PLACES))
+       (keep-hit! r i)
        (copy-media! i media-count shadow-media-count)
        (cross-surface! media shadow-media-count r i)
        (define left? (reaches-light? media scene r i))
-       (copy-places! r kept-for-shadow ray-origin (SEGMENT-PLACES))
-       (copy-numbers! i kept-hit-for-shadow hit-primitive (HIT-PLACES))
+       (restore-hit! r i)
        (fxvector-set! i sampler-dimension dimension)
        left?]
       [(Scene-occluded? scene r i) #f]
@@ -369,19 +367,27 @@
 (define-syntax-rule (SEGMENT-PLACES) 26)
 (define-syntax-rule (HIT-PLACES) 11)
 
-(: copy-places! (-> FlVector Fixnum Fixnum Fixnum Void))
-(define (copy-places! r from to count)
-  (let copy ([k : Fixnum 0])
-    (when (fx< k count)
-      (flvector-set! r (fx+ to k) (flvector-ref r (fx+ from k)))
-      (copy (fx+ k 1)))))
+(define-syntax-rule (define-copy name Registers ref set)
+  (begin
+    (: name (-> Registers Fixnum Fixnum Fixnum Void))
+    (define (name registers from to count)
+      (let copy ([k : Fixnum 0])
+        (when (fx< k count)
+          (set registers (fx+ to k) (ref registers (fx+ from k)))
+          (copy (fx+ k 1)))))))
+(define-copy copy-places! FlVector flvector-ref flvector-set!)
+(define-copy copy-numbers! FxVector fxvector-ref fxvector-set!)
 
-(: copy-numbers! (-> FxVector Fixnum Fixnum Fixnum Void))
-(define (copy-numbers! i from to count)
-  (let copy ([k : Fixnum 0])
-    (when (fx< k count)
-      (fxvector-set! i (fx+ to k) (fxvector-ref i (fx+ from k)))
-      (copy (fx+ k 1)))))
+;; keep-hit! and restore-hit! : the ray, its hit and its surface, for who looks elsewhere in between.
+(: keep-hit! (-> FlVector FxVector Void))
+(define (keep-hit! r i)
+  (copy-places! r ray-origin kept-for-shadow (SEGMENT-PLACES))
+  (copy-numbers! i hit-primitive kept-hit-for-shadow (HIT-PLACES)))
+
+(: restore-hit! (-> FlVector FxVector Void))
+(define (restore-hit! r i)
+  (copy-places! r kept-for-shadow ray-origin (SEGMENT-PLACES))
+  (copy-numbers! i kept-hit-for-shadow hit-primitive (HIT-PLACES)))
 
 ;; keep-segment! and restore-segment! : for who lights points of the segment.
 (: keep-segment! (-> FlVector FxVector Void))

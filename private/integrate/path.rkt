@@ -9,7 +9,7 @@
          "../light/light.rkt" "../light/choice.rkt"
          "../medium/medium.rkt" "../medium/media.rkt"
          "../world/scene.rkt" "../world/trace.rkt"
-         "emission.rkt" "media.rkt" "single-scattering.rkt")
+         "emission.rkt" "bump.rkt" "media.rkt" "single-scattering.rkt")
 
 (provide path-integrator PathLimits (struct-out PathLimits))
 
@@ -32,7 +32,7 @@
 (: path-integrator (-> Scene PathLimits (U #f Medium) (-> FlVector FxVector Void)))
 (define (path-integrator scene limits medium)
   (define media (path-media scene medium))
-  (define kernels (force (Scene-material-kernels scene)))
+  (define kernels (with-bumps scene (force (Scene-material-kernels scene))))
   (define add-emission! (emission-kernel scene))
   (define background (Scene-background scene))
   (define lights (Scene-lights scene))

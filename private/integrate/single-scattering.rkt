@@ -36,16 +36,16 @@
 
 (: light-pivots (-> (Vectorof LightKernel) FlVector))
 (define (light-pivots lights)
-  (define pivots (make-flvector (* 5 (vector-length lights)) -1.0))
+  (define pivots (make-flvector (* (PIVOT-PLACES) (vector-length lights)) -1.0))
   (for ([light (in-vector lights)] [k : Nonnegative-Fixnum (in-range (vector-length lights))])
     (define bound (LightKernel-bound light))
     (define box (LightBound-box bound))
     (when box
       (let-float3 ([low (Float3-in box 0)] [high (Float3-in box 3)])
-        (Float3-put! pivots (fx* 5 k) (Float3-scale-by-scalar (Float3-add low high) 0.5))
-        (flvector-set! pivots (fx+ 3 (fx* 5 k))
+        (Float3-put! pivots (fx* (PIVOT-PLACES) k) (Float3-scale-by-scalar (Float3-add low high) 0.5))
+        (flvector-set! pivots (fx+ 3 (fx* (PIVOT-PLACES) k))
                        (fl* 0.5 (Float3-length (Float3-subtract high low))))
-        (flvector-set! pivots (fx+ 4 (fx* 5 k)) (LightBound-intensity bound)))))
+        (flvector-set! pivots (fx+ 4 (fx* (PIVOT-PLACES) k)) (LightBound-intensity bound)))))
   pivots)
 
 ;; Binds where the segment at `at` passes the pivot, how far from it, and the angles at which its

@@ -6,7 +6,8 @@
          "microfacet.rkt" "fresnel.rkt")
 (unsafe-require/typed "../base/promise.rkt" [once (All (a) (-> (-> a) (Promise a)))])
 
-(provide CELLS loss-coordinate loss-coordinate/function node-cosine lost-energy conductor-losses single-scattering-losses
+(provide CELLS loss-coordinate loss-coordinate/function node-cosine lost-energy
+         conductor-losses single-scattering-losses loss-table table-losses
          gauss-legendre average-over-cosine
          GGX-directional-albedo GGX-average-albedo)
 
@@ -208,17 +209,19 @@
                    (flmin 1.0 (flmax 0.0 (lost-energy (node-cosine node alpha) alpha eta)))))
   column)
 
-;; Columns of a surface that reflects everything, at roughnesses (k / ROUGHNESSES)^2.5; the first
-;; stands for the limit of a smooth surface. Computed once, when first needed. Square roots, because
-;; away from grazing the losses grow with alpha^2, and so that what is interpolated stays positive.
+;; loss-table : columns of a surface of that eta, at roughnesses (k / ROUGHNESSES)^2.5; the first
+;; stands for the limit of a smooth surface. Square roots, because away from grazing the losses grow
+;; with alpha^2, and so that what is interpolated stays positive. Takes a quarter of a second.
 (define-syntax-rule (ROUGHNESSES) 12)
-(define CONDUCTOR-TABLE : (Promise (Vectorof FlVector))
-  (once
-   (lambda ()
-     (for/vector : (Vectorof FlVector) #:length (+ 1 (ROUGHNESSES))
-                 ([k : Nonnegative-Integer (in-range (+ 1 (ROUGHNESSES)))])
-       (define part (fl/ (real->double-flonum k) (fx->fl (ROUGHNESSES))))
-       (map-column flsqrt (single-scattering-losses (flmax 1e-6 (flexpt part 2.5)) 0.0))))))
+(: loss-table (-> Flonum (Vectorof FlVector)))
+(define (loss-table eta)
+  (for/vector : (Vectorof FlVector) #:length (+ 1 (ROUGHNESSES))
+              ([k : Nonnegative-Integer (in-range (+ 1 (ROUGHNESSES)))])
+    (define part (fl/ (real->double-flonum k) (fx->fl (ROUGHNESSES))))
+    (map-column flsqrt (single-scattering-losses (flmax 1e-6 (flexpt part 2.5)) eta))))
+
+;; Of a surface that reflects everything; computed once, when first needed.
+(define CONDUCTOR-TABLE : (Promise (Vectorof FlVector)) (once (lambda () (loss-table 0.0))))
 
 (: map-column (-> (-> Flonum Flonum) FlVector FlVector))
 (define (map-column f column)
@@ -227,11 +230,13 @@
     (flvector-set! result node (f (flvector-ref column node))))
   result)
 
-;; conductor-losses : the column of a surface that reflects everything, by the cubic through the four
-;; nearest columns of the table; alpha in (0, 1].
+;; conductor-losses : the column of a surface that reflects everything; alpha in (0, 1].
 (: conductor-losses (-> Flonum FlVector))
-(define (conductor-losses alpha)
-  (define table (force CONDUCTOR-TABLE))
+(define (conductor-losses alpha) (table-losses (force CONDUCTOR-TABLE) alpha))
+
+;; table-losses : a column by the cubic through the four nearest columns of a table; alpha in (0, 1].
+(: table-losses (-> (Vectorof FlVector) Flonum FlVector))
+(define (table-losses table alpha)
   (define place (fl* (fx->fl (ROUGHNESSES)) (flexpt alpha 0.4)))
   (define first (max 0 (min (- (ROUGHNESSES) 3) (- (fl->fx place) 1))))
   (define t (fl- place (fx->fl first)))

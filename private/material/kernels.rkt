@@ -2,7 +2,7 @@
 ;; The path integrator's kernel of any material: the one place that lists them all.
 (require "material.rkt" "kernel.rkt" "lambertian.rkt" "phong.rkt" "emitter.rkt"
          "mirror.rkt" "metal.rkt" "dielectric.rkt" "plastic.rkt" "modified-phong.rkt" "mix.rkt"
-         "rough-conductor.rkt" "rough-dielectric.rkt" "interior.rkt"
+         "rough-conductor.rkt" "rough-dielectric.rkt" "interior.rkt" "bumped.rkt"
          "../base/check.rkt" "../base/float3.rkt")
 
 (provide Material-kernel)
@@ -21,6 +21,7 @@
     [(RoughDielectric? material) (RoughDielectric-kernel material)]
     [(Plastic? material) (Plastic-kernel material)]
     [(Mix? material) (Mix-kernel material Material-kernel)]
+    [(Bumped? material) (Bumped-kernel (Material-kernel (Bumped-material material)))]
     [(Interior? material)
      (define surface (Interior-surface material))
      (if surface (Material-kernel surface) straight-on)]

@@ -1,32 +1,33 @@
 #lang typed/racket/base
 ;; RoughConductor: metal with a GGX microsurface, from polished to blasted; light that bounces among
 ;; the microfacets is given back, so rough metal is not too dark.
-;; roughness: GGX alpha itself, from 0 (a mirror; below 1e-4 counts as one) over .1 (satin) to 1.
+;; roughness: GGX alpha itself, from 0 (a mirror; below 1e-4 counts as one) over .1 (satin) to 1, or a
+;; texture whose luminance it is.
 ;; The metal is either eta + i k, its complex index of refraction for linear RGB, or color, linear
 ;; RGB: what it reflects along the normal, rising to white at grazing (Schlick); white by default.
 (require (for-syntax racket/base)
          "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/frame.rkt"
          "../base/check.rkt" "../base/public.rkt" "../sample/sampler.rkt"
          "material.rkt" "kernel.rkt" "scatter.rkt" "fresnel.rkt"
-         "microfacet.rkt" "energy.rkt" "compensation.rkt")
+         "microfacet.rkt" "energy.rkt" "compensation.rkt" "roughness.rkt" "texture/texture.rkt")
 
 (provide (struct-out RoughConductor) make-RoughConductor RoughConductor-kernel
          SMOOTH-ROUGHNESS
          gold copper aluminium silver)
 
 (struct RoughConductor Material
-  ([roughness : Flonum] [color : (U #f Float3)] [eta : (U #f Float3)] [k : (U #f Float3)])
+  ([roughness : NumberOrTexture] [color : (U #f Float3)] [eta : (U #f Float3)] [k : (U #f Float3)])
   #:transparent)
 
 ;; (RoughConductor roughness [color eta k]), the last three also by keyword; color or eta and k.
-(: make-RoughConductor (->* (Real)
+(: make-RoughConductor (->* ((U Real Texture))
                             ((U #f Float3) (U #f Float3) (U #f Float3)
                              #:color (U #f Float3) #:eta (U #f Float3) #:k (U #f Float3))
                             RoughConductor))
 (define (make-RoughConductor roughness [color-by-place #f] [eta-by-place #f] [k-by-place #f]
                              #:color [color color-by-place]
                              #:eta [eta eta-by-place] #:k [k k-by-place])
-  (define alpha (check-between 'RoughConductor "roughness" roughness 0.0 1.0))
+  (define alpha (check-number-or-texture 'RoughConductor "roughness" roughness))
   (cond
     [(and eta k (not color))
      (RoughConductor alpha #f
@@ -46,8 +47,8 @@
 ;; of Metal Films", 1995.
 (define-syntax-rule (define-metal name (er eg eb) (kr kg kb))
   (begin
-    (: name (->* () (Real) RoughConductor))
-    (define (name [roughness 0.1])
+    (: name (->* () ((U Real Texture)) RoughConductor))
+    (define (name [roughness : (U Real Texture) 0.1])
       (make-RoughConductor roughness #:eta (make-Float3 er eg eb) #:k (make-Float3 kr kg kb)))))
 
 (define-metal gold (0.156 0.424 1.383) (3.602 2.472 1.915))
@@ -59,7 +60,13 @@
 
 (: RoughConductor-kernel (-> RoughConductor MaterialKernel))
 (define (RoughConductor-kernel material)
-  (define alpha (RoughConductor-roughness material))
+  (define roughness (RoughConductor-roughness material))
+  (if (flonum? roughness)
+      (kernel-at material roughness)
+      (roughness-kernel roughness (lambda ([alpha : Flonum]) (kernel-at material alpha)))))
+
+(: kernel-at (-> RoughConductor Flonum MaterialKernel))
+(define (kernel-at material alpha)
   (define smooth? (fl< alpha (SMOOTH-ROUGHNESS)))
   (define color (RoughConductor-color material))
   (define eta (RoughConductor-eta material))

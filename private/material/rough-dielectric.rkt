@@ -2,25 +2,26 @@
 ;; RoughDielectric: glass with a GGX microsurface, from slightly blurred to frosted; light that
 ;; bounces among the microfacets is given back, so frosted glass is not too dark.
 ;; ior: index of refraction (water 1.33, glass 1.5, diamond 2.42). roughness: GGX alpha itself, from
-;; 0 (clear; below 1e-4 counts as clear) over .1 (etched) to 1. outside-ior: index of the medium
-;; around the shape, 1 for air. absorption: per unit of distance inside the shape, linear RGB, as
+;; 0 (clear; below 1e-4 counts as clear) over .1 (etched) to 1, or a texture whose luminance it is.
+;; outside-ior: index of the medium around the shape, 1 for air. absorption: per unit of distance inside the shape, linear RGB, as
 ;; for Dielectric.
 (require (for-syntax racket/base)
          "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/frame.rkt"
          "../base/check.rkt" "../base/public.rkt" "../sample/sampler.rkt"
          "material.rkt" "kernel.rkt" "scatter.rkt" "fresnel.rkt" "dielectric.rkt"
-         "microfacet.rkt" "energy.rkt" "compensation.rkt" "rough-conductor.rkt")
+         "microfacet.rkt" "energy.rkt" "compensation.rkt" "rough-conductor.rkt"
+         "roughness.rkt" "texture/texture.rkt")
 
 (provide (struct-out RoughDielectric) make-RoughDielectric RoughDielectric-kernel)
 
 (struct RoughDielectric Material
-  ([ior : Flonum] [roughness : Flonum] [absorption : Float3] [outside-ior : Flonum])
+  ([ior : Flonum] [roughness : NumberOrTexture] [absorption : Float3] [outside-ior : Flonum])
   #:transparent)
 
 ;; (RoughDielectric ior [roughness absorption outside-ior]), the last three also by keyword.
 (: make-RoughDielectric (->* (Real)
-                             (Real Float3 Real
-                              #:roughness Real #:absorption Float3 #:outside-ior Real)
+                             ((U Real Texture) Float3 Real
+                              #:roughness (U Real Texture) #:absorption Float3 #:outside-ior Real)
                              RoughDielectric))
 (define (make-RoughDielectric ior [roughness-by-place 0.1]
                               [absorption-by-place (make-Float3 0 0 0)]
@@ -29,7 +30,7 @@
                               #:absorption [absorption absorption-by-place]
                               #:outside-ior [outside-ior outside-ior-by-place])
   (RoughDielectric (check-positive 'RoughDielectric "ior" ior)
-                   (check-between 'RoughDielectric "roughness" roughness 0.0 1.0)
+                   (check-number-or-texture 'RoughDielectric "roughness" roughness)
                    (check-color 'RoughDielectric "absorption" absorption)
                    (check-positive 'RoughDielectric "outside-ior" outside-ior)))
 
@@ -42,7 +43,24 @@
 ;; from inside than reciprocity, and with it thermal equilibrium, allows.)
 (: RoughDielectric-kernel (-> RoughDielectric MaterialKernel))
 (define (RoughDielectric-kernel material)
-  (define alpha (RoughDielectric-roughness material))
+  (define roughness (RoughDielectric-roughness material))
+  (cond
+    [(flonum? roughness) (kernel-at material roughness single-scattering-losses)]
+    [(texture-roughnesses roughness)
+     (roughness-kernel roughness
+                       (lambda ([alpha : Flonum])
+                         (kernel-at material alpha single-scattering-losses)))]
+    [else
+     (define entering (fl/ (RoughDielectric-ior material) (RoughDielectric-outside-ior material)))
+     (define entering-table (loss-table entering))
+     (define leaving-table (loss-table (fl/ 1.0 entering)))
+     (define (losses [alpha : Flonum] [eta : Flonum])
+       (table-losses (if (fl= eta entering) entering-table leaving-table) alpha))
+     (roughness-kernel roughness (lambda ([alpha : Flonum]) (kernel-at material alpha losses)))]))
+
+;; losses: the column of a roughness and an eta.
+(: kernel-at (-> RoughDielectric Flonum (-> Flonum Flonum FlVector) MaterialKernel))
+(define (kernel-at material alpha losses)
   (define ior (RoughDielectric-ior material))
   (define outside-ior (RoughDielectric-outside-ior material))
   (define absorption (RoughDielectric-absorption material))
@@ -53,8 +71,8 @@
     [(or (fl< alpha (SMOOTH-ROUGHNESS)) (fl< (flabs (fl- entering 1.0)) 1e-6))
      (Dielectric-kernel (make-Dielectric ior #:absorption absorption #:outside-ior outside-ior))]
     [else
-     (define outside (make-compensation (single-scattering-losses alpha entering) alpha))
-     (define inside (make-compensation (single-scattering-losses alpha leaving) alpha))
+     (define outside (make-compensation (losses alpha entering) alpha))
+     (define inside (make-compensation (losses alpha leaving) alpha))
      (define absorbs? (fl> (Float3-largest-component absorption) 0.0))
      (define-values (sample-outside evaluate-outside) (make-side alpha entering outside inside))
      (define-values (sample-inside evaluate-inside) (make-side alpha leaving inside outside))

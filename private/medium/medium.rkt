@@ -24,6 +24,10 @@
 ;; density: a pure function from a point to a number from 0 to majorant, which the extinction is
 ;; multiplied by there; what is more counts as majorant, NaN as 0. A medium with a density fills
 ;; shapes, not the world. The tighter the majorant, the faster.
+;; Point and spot lights deep in a dense medium leave single bright pixels: light that is scattered
+;; twice close to one goes as one over the squared distance at both, a finite mean of unbounded
+;; samples. They are not clamped, which would darken the picture. More samples thin them out; a
+;; shining sphere in place of the light bounds them.
 (: make-Medium (->* ((U Real Float3) Float3)
                     (Real (U #f Density) Real
                      #:anisotropy Real #:density (U #f Density) #:majorant Real)

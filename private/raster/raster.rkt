@@ -90,14 +90,24 @@
              Fixnum Fixnum Fixnum Fixnum Void))
 (define (draw! film world view shading tolerance faces fog-color fog-density offsets
                left top width height)
-  (define wires? (eq? shading 'wireframe))
+  (define hidden? (and (eq? shading 'hidden-lines) (View-linear? view)))
+  (define wires? (and (memq shading '(wireframe hidden-lines)) #t))
   (define-values (pieces materials drawn)
     (world-pieces (World-shapes world) view tolerance wires?))
   (define corners
     (for/vector : (Vectorof FlVector) ([piece (in-vector drawn)])
       (define mesh (Piece-mesh piece))
       (if mesh (film-corners mesh (Piece-transform piece) view) (flvector))))
-  (define shade! (make-shader world pieces materials shading))
+  ;; without what is seen through, where something is
+  (define opaque : (U #f (Vectorof Piece))
+    (and (memq shading '(phong gouraud flat toon))
+         (View-linear? view)
+         (for/or : Boolean ([material (in-vector materials)]) (Material-clear? material))
+         (for/vector : (Vectorof Piece) ([piece (in-vector drawn)])
+           (if (Material-clear? (vector-ref materials (Piece-material piece)))
+               (struct-copy Piece piece [mesh #f] [kernel #f] [plane #f])
+               piece))))
+  (define shade! (make-shader world pieces materials shading (and opaque #t)))
   (define samples (fxquotient (fxvector-length offsets) 2))
   (define band-height
     (let ([rows (fxquotient MOST-SAMPLES-AT-ONCE (fx* width samples))]) (if (fx< rows 1) 1 rows)))
@@ -106,8 +116,15 @@
     (when (fx< y (fx+ top height))
       (let* ([rest (fx- (fx+ top height) y)]
              [rows (if (fx< rest band-height) rest band-height)]
-             [canvas (make-Canvas (View-width view) (View-height view) left y width rows offsets
-                                  (subpixels (View-width view) (View-height view)))])
+             [new-canvas (lambda ()
+                           (make-Canvas (View-width view) (View-height view) left y width rows
+                                        offsets (subpixels (View-width view) (View-height view))))]
+             [canvas (new-canvas)]
+             [behind (and opaque (new-canvas))])
+        (when hidden?
+          (draw-pieces! (struct-copy Canvas canvas [slack 1.0]) view drawn corners faces #f)
+          (Canvas-forget-surfaces! canvas))
         (draw-pieces! canvas view drawn corners faces wires?)
-        (resolve! canvas))
+        (when (and opaque behind) (draw-pieces! behind view opaque corners faces #f))
+        (resolve! canvas behind))
       (each-band (fx+ y band-height)))))

@@ -1,7 +1,7 @@
 #lang typed/racket/base
 ;; What a canvas shows: every surface that covers samples of a pixel is shaded once, at the middle of
 ;; those samples.
-(require "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/matrix.rkt"
+(require racket/vector "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/matrix.rkt"
          "../base/transform.rkt" "../shape/kernel.rkt" "../world/camera.rkt"
          "../world/camera-kernel.rkt" "../world/background.rkt" "../world/world.rkt"
          "../material/material.rkt"
@@ -18,17 +18,22 @@
 (define-syntax-rule (SUM) (fx+ flonum-stack 1003))
 (define-syntax-rule (CORNER-SUM) (fx+ flonum-stack 1006))
 (define-syntax-rule (DISTANCE) (fx+ flonum-stack 1009))
+(define-syntax-rule (FRONT) (fx+ flonum-stack 1010))
+(define-syntax-rule (CLEAR) (fx+ flonum-stack 1013))
+(define-syntax-rule (FRONT-DISTANCE) (fx+ flonum-stack 1014))
 
-;; A procedure that writes the pixels of a canvas to the film.
+;; A procedure that writes the pixels of a canvas to the film. Where surfaces are seen through, the
+;; other canvas has what is behind them; without one that is the background.
 (: resolver (-> Film World View (Vectorof Piece) (Vectorof FlVector) (-> FlVector FxVector Void)
-                (Vectorof Material) Symbol Float3 Flonum Fixnum (-> Canvas Void)))
+                (Vectorof Material) Symbol Float3 Flonum Fixnum
+                (-> Canvas (U #f Canvas) Void)))
 (define (resolver film world view drawn corners shade! materials shading fog-color fog-density film-top)
   (define-values (r i) (make-scratch view))
   (define camera (View-camera view))
   (define cast-ray! (Camera-kernel camera (View-width view) (View-height view)))
   (define background (World-background world))
   (define background! (Background-kernel background))
-  (define plain-ground? (and (memq shading '(wireframe normals depth texture-coordinates)) #t))
+  (define plain-ground? (and (memq shading '(wireframe hidden-lines normals depth texture-coordinates)) #t))
   (define flat? (eq? shading 'flat))
   (define gouraud? (eq? shading 'gouraud))
   (define toon? (eq? shading 'toon))
@@ -37,6 +42,7 @@
     (for/vector : (Vectorof Boolean) ([material (in-vector materials)])
       (define-values (texture place) (Material-texture material))
       (or (and texture #t) (eq? shading 'texture-coordinates))))
+  (define clear? (vector-map Material-clear? materials))
   (define-syntax-rule (uv-needed?) (vector-ref uv-needs (fxvector-ref i hit-material)))
   (define foggy? (and (fl> fog-density 0.0) (not plain-ground?)))
   (define perspective? (View-perspective? view))
@@ -158,7 +164,7 @@
   (define (shade-triangle! piece mesh points colors triangle)
     (put-weights! points (Tessellation-triangles mesh) triangle)
     (cond
-      [gouraud? (shade-corners! piece mesh colors triangle)]
+      [(and gouraud? (not (vector-ref clear? (Piece-material piece)))) (shade-corners! piece mesh colors triangle)]
       [else
        (when flat? (put-middle!))
        (put-triangle-surface! piece mesh triangle)
@@ -222,6 +228,7 @@
   (: shade-ground! (-> Void))
   (define (shade-ground!)
     (flvector-set! r (DISTANCE) 0.0)
+    (flvector-set! r light-density 0.0)
     (cond
       [plain-ground? (Float3-put! r radiance (Float3 0.0 0.0 0.0))]
       [(Float3? background) (Float3-put! r radiance background)]
@@ -254,9 +261,25 @@
         (Float3-put! r radiance
                      (Float3-linear-interpolate color (Float3-in r radiance) clear)))))
 
-  (lambda ([canvas : Canvas])
+  (lambda ([canvas : Canvas] [behind : (U #f Canvas)])
     (define samples (Canvas-samples canvas))
     (define ids (Canvas-ids canvas))
+    (define behind-ids (if behind (Canvas-ids behind) ids))
+    (define-syntax-rule (same-surface? a b)
+      (and (fx= (fxvector-ref ids a) (fxvector-ref ids b))
+           (fx= (fxvector-ref behind-ids a) (fxvector-ref behind-ids b))))
+    ;; what is seen through the surface just shaded, as far as it is
+    (define (add-behind! [id : Fixnum]) : Void
+      (let ([part (flvector-ref r light-density)])
+        (when (fl> part 0.0)
+          (flvector-set! r (CLEAR) part)
+          (Float3-put! r (FRONT) (Float3-in r radiance))
+          (flvector-set! r (FRONT-DISTANCE) (flvector-ref r (DISTANCE)))
+          (shade-surface! id)
+          (Float3-put! r radiance
+                       (Float3-multiply-add (Float3-in r (FRONT)) (flvector-ref r (CLEAR))
+                                            (Float3-in r radiance)))
+          (flvector-set! r (DISTANCE) (flvector-ref r (FRONT-DISTANCE))))))
     (define offsets (Canvas-offsets canvas))
     (define width (Canvas-width canvas))
     (define pixels (Film-pixels film))
@@ -267,12 +290,12 @@
       (let each ([sample : Fixnum 0])
         (when (fx< sample samples)
           (define id (fxvector-ref ids (fx+ start sample)))
-          (unless (and (fx> sample 0) (seen-before? ids id start sample))
+          (unless (and (fx> sample 0) (seen-before? same-surface? start sample))
             ;; all samples of the pixel that the same surface covers, and their middle
             (let count ([k : Fixnum sample] [n : Fixnum 0] [sx : Fixnum 0] [sy : Fixnum 0])
               (cond
                 [(fx< k samples)
-                 (if (fx= id (fxvector-ref ids (fx+ start k)))
+                 (if (same-surface? (fx+ start sample) (fx+ start k))
                      (count (fx+ k 1) (fx+ n 1) (fx+ sx (fxvector-ref offsets (fx* 2 k)))
                             (fx+ sy (fxvector-ref offsets (fx+ 1 (fx* 2 k)))))
                      (count (fx+ k 1) n sx sy))]
@@ -285,6 +308,7 @@
                     (flvector-set! r film-y (fl+ (fx->fl (fx+ y (Canvas-top canvas)))
                                                  (fl/ (fl* part (fx->fl sy)) (fx->fl n))))])
                  (shade-surface! id)
+                 (when behind (add-behind! (fxvector-ref behind-ids (fx+ start sample))))
                  (when (and toon? (outline? canvas (fx+ start sample) x y))
                    (Float3-put! r radiance (Float3 0.0 0.0 0.0)))
                  (when foggy? (add-fog!))
@@ -331,7 +355,7 @@
   (or (and (fx> x 0) (fx< x (fx- width 1)) (beside? samples))
       (and (fx> y 0) (fx< y (fx- (Canvas-height canvas) 1)) (beside? (fx* samples width)))))
 
-(define-syntax-rule (seen-before? ids id start sample)
+(define-syntax-rule (seen-before? same? start sample)
   (let check : Boolean ([k : Fixnum 0])
     (and (fx< k sample)
-         (or (fx= id (fxvector-ref ids (fx+ start k))) (check (fx+ k 1))))))
+         (or (same? (fx+ start sample) (fx+ start k)) (check (fx+ k 1))))))

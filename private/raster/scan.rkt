@@ -4,7 +4,7 @@
 ;; none (the top-left rule); the nearest triangle of each sample stays (z-buffer).
 (require "../base/unsafe.rkt" "../base/float3.rkt")
 
-(provide (struct-out Canvas) make-Canvas draw-mesh! draw-polygon! put-if-nearer!)
+(provide (struct-out Canvas) make-Canvas Canvas-forget-surfaces! draw-mesh! draw-polygon! put-if-nearer!)
 
 ;; A band of a picture: its rows from `top`, its columns from `left`, in a film of film-width by
 ;; film-height pixels. offsets: where in a pixel its samples are, two numbers of subpixels each.
@@ -12,18 +12,28 @@
 ;; picture: the reciprocal of the distance along the line of sight, or less that distance where the
 ;; view is orthographic. ids: number of the surface, -1 for none. Samples of a pixel lie together.
 ;; subpixels: parts of a pixel's side, a power of two. scratch: corners of polygons being clipped.
+;; slack: how many pixels aside a surface may be for lines on it to count as nearer than it is.
 (struct Canvas
   ([film-width : Fixnum] [film-height : Fixnum]
    [left : Fixnum] [top : Fixnum] [width : Fixnum] [height : Fixnum]
    [samples : Fixnum] [offsets : FxVector] [subpixels : Fixnum]
-   [keys : FlVector] [ids : FxVector] [scratch : FlVector]))
+   [keys : FlVector] [ids : FxVector] [scratch : FlVector] [slack : Flonum]))
 
 (: make-Canvas (-> Fixnum Fixnum Fixnum Fixnum Fixnum Fixnum FxVector Fixnum Canvas))
 (define (make-Canvas film-width film-height left top width height offsets subpixels)
   (define samples (fxquotient (fxvector-length offsets) 2))
   (define count (fx* samples (fx* width height)))
   (Canvas film-width film-height left top width height samples offsets subpixels
-          (make-flvector count -inf.0) (make-fxvector count -1) (make-flvector 256)))
+          (make-flvector count -inf.0) (make-fxvector count -1) (make-flvector 256) 0.0))
+
+;; Canvas-forget-surfaces! : leaves only how near they were.
+(: Canvas-forget-surfaces! (-> Canvas Void))
+(define (Canvas-forget-surfaces! canvas)
+  (define ids (Canvas-ids canvas))
+  (let each ([k : Fixnum 0])
+    (when (fx< k (fxvector-length ids))
+      (fxvector-set! ids k -1)
+      (each (fx+ k 1)))))
 
 ;; Puts a surface at a sample where nothing nearer is; what came first stays where two are as near.
 (define-syntax-rule (put-if-nearer! keys ids at key id)
@@ -314,10 +324,12 @@
   (define top (fxmin3 y0 y1 y2))
   (define bottom (fxmax3 y0 y1 y2))
   (define last-index (fx- samples 1))
+  (define slack (Canvas-slack canvas))
   (let* ([q0 (flvector-ref keys k0)]
          [q1 (flvector-ref keys k1)]
          [q2 (flvector-ref keys k2)]
-         [low (flmin q0 (flmin q1 q2))]
+         [lowest (flmin q0 (flmin q1 q2))]
+         [low (if (fl> slack 0.0) (fl- lowest (fl* 1e-9 (flabs lowest))) lowest)]
          [high (flmax q0 (flmax q1 q2))]
          [inverse (fl/ 1.0 (fx->fl area))]
          ;; the key's growth for a subpixel to the right and one down
@@ -325,7 +337,12 @@
                                     (fl* (fl- q2 q0) (fx->fl dy01))))]
          [slope-y (fl* inverse (fl- (fl* (fl- q2 q0) (fx->fl dx01))
                                     (fl* (fl- q1 q0) (fx->fl (fx- x2 x0)))))]
-         [step (fl* (fx->fl side) slope-x)])
+         [step (fl* (fx->fl side) slope-x)]
+         [start-key (if (fl> slack 0.0)
+                        (fl- q0 (fl+ (fl* 1e-9 (flabs q0))
+                                     (fl* (fl* slack (fx->fl side))
+                                          (fl+ (flabs slope-x) (flabs slope-y)))))
+                        q0)])
     (define-syntax-rule (edge dx dy x y px py) (fx- (fx* dx (fx- py y)) (fx* dy (fx- px x))))
     ;; a sample on an edge is inside where the edge is a left one, or a level one at the top
     (define-syntax-rule (owned dx dy)
@@ -352,7 +369,7 @@
             (let rows ([y : Fixnum first-y])
               (when (fx<= y last-y)
                 (let* ([py (fx+ sy (fx* side y))]
-                       [row-key (fl+ q0 (fl+ (fl* slope-x (fx->fl (fx- start-x x0)))
+                       [row-key (fl+ start-key (fl+ (fl* slope-x (fx->fl (fx- start-x x0)))
                                              (fl* slope-y (fx->fl (fx- py y0)))))])
                   (let* ([s0 (fx* (fx- 0 dy01) side)]
                          [s1 (fx* (fx- 0 dy12) side)]

@@ -6,12 +6,12 @@
          "../material/emitter.rkt" "../material/lambertian.rkt" "../material/mirror.rkt"
          "../material/metal.rkt" "../material/dielectric.rkt" "../material/plastic.rkt"
          "../material/modified-phong.rkt" "../material/mix.rkt" "../material/rough-conductor.rkt"
-         "../material/rough-dielectric.rkt" "../material/texture/texture.rkt"
+         "../material/rough-dielectric.rkt" "../material/bumped.rkt" "../material/texture/texture.rkt"
          "../material/texture/kernels.rkt"
          "../light/light.rkt" "../light/kernels.rkt"
          "../world/world.rkt" "../world/background.rkt" "tessellate.rkt")
 
-(provide make-shader Material-texture)
+(provide make-shader Material-texture Material-clear?)
 
 ;; --- what a material looks like, in twenty numbers ---
 
@@ -60,6 +60,7 @@
       [(Mirror? material) (values (Mirror-color material) (mirror-place))]
       [(Metal? material) (values (Metal-albedo material) (mirror-place))]
       [(Emitter? material) (values (Emitter-radiance material) (emission-place))]
+      [(Bumped? material) (Material-texture (Bumped-material material))]
       [else (values #f 0)]))
   (values (and (Texture? source) source) place))
 
@@ -88,6 +89,18 @@
                                                  (Float3-in r surface-color)))
          (each (fx+ k 1))))
      (Float3-in sum 0)]))
+
+;; The same of what stands for a number.
+(: mean-number (-> (U Flonum Texture) Flonum))
+(define (mean-number source)
+  (if (flonum? source)
+      source
+      (flmin 1.0 (Float3-dot (mean-color source) (Float3 0.2126 0.7152 0.0722)))))
+
+;; Whether something is seen through a material.
+(: Material-clear? (-> Material Boolean))
+(define (Material-clear? material)
+  (fl> (flvector-ref (Material-look material 1.0) (clear-place)) 0.0))
 
 ;; irradiance-share: what a surface of colour 1 sends of the light it gets: 1 in the article's
 ;; shading, 1/pi where light is traced.
@@ -121,9 +134,10 @@
      packed]
     [(Lambertian? material) (look #:body (factor (Lambertian-albedo material)))]
     [(Mirror? material) (look #:mirror (factor (Mirror-color material)))]
-    [(Metal? material) (metal (factor (Metal-albedo material)) (Metal-fuzz material))]
+    [(Metal? material) (metal (factor (Metal-albedo material)) (mean-number (Metal-fuzz material)))]
     [(RoughConductor? material)
-     (metal (conductor-color material) (RoughConductor-roughness material))]
+     (metal (conductor-color material) (mean-number (RoughConductor-roughness material)))]
+    [(Bumped? material) (Material-look (Bumped-material material) share)]
     [(Plastic? material)
      (define f0 (reflectance (Plastic-ior material)))
      (look #:body (factor (Plastic-albedo material)) #:coat f0
@@ -141,8 +155,7 @@
      (define first (Material-look (Mix-first material) share))
      (define second (Material-look (Mix-second material) share))
      (define given-weight (Mix-weight material))
-     (define weight
-       (if (flonum? given-weight) given-weight (Float3-x (mean-color given-weight))))
+     (define weight (mean-number given-weight))
      (define mixed (make-flvector (STRIDE) 0.0))
      (let each ([k : Fixnum 0])
        (when (fx< k (STRIDE))
@@ -226,9 +239,12 @@
 ;; make-shader : a procedure that takes the surface in the scratch (surface-point, surface-normal and
 ;; surface-shading-normal turned to the viewer, surface-inside, out-direction, hit-material,
 ;; surface-uv, and the distance in hit-t) and leaves in `radiance` what it shows. shading: one of
-;; SHADINGS; all but toon and the views shade alike, where the normals decide.
-(: make-shader (-> World (Vectorof Piece) (Vectorof Material) Symbol (-> FlVector FxVector Void)))
-(define (make-shader world pieces materials shading)
+;; SHADINGS; all but toon and the views shade alike, where the normals decide. behind?: whether what
+;; is seen through a surface is left out, and light-density says how much of it is missing; else the
+;; background is taken for it.
+(: make-shader (-> World (Vectorof Piece) (Vectorof Material) Symbol Boolean
+                   (-> FlVector FxVector Void)))
+(define (make-shader world pieces materials shading behind?)
   (case shading
     [(normals)
      (lambda ([r : FlVector] [i : FxVector])
@@ -242,12 +258,12 @@
      (lambda ([r : FlVector] [i : FxVector])
        (Float3-put! r radiance
                     (Float3 (flvector-ref r surface-uv) (flvector-ref r (fx+ 1 surface-uv)) 0.0)))]
-    [(wireframe)
+    [(wireframe hidden-lines)
      (define colors
        (for/vector : (Vectorof Float3) ([material (in-vector materials)]) (line-color material)))
      (lambda ([r : FlVector] [i : FxVector])
        (Float3-put! r radiance (vector-ref colors (fxvector-ref i hit-material))))]
-    [else (light-shader world pieces materials (eq? shading 'toon))]))
+    [else (light-shader world pieces materials (eq? shading 'toon) behind?)]))
 
 ;; The colour of a material's lines: the strongest it has, never too dark for a black ground.
 (: line-color (-> Material Float3))
@@ -261,8 +277,9 @@
           (Float3-scale-by-scalar sum (fl/ (flmax 0.5 (flmin 1.0 largest)) largest))
           (Float3 0.7 0.7 0.7)))))
 
-(: light-shader (-> World (Vectorof Piece) (Vectorof Material) Boolean (-> FlVector FxVector Void)))
-(define (light-shader world pieces materials toon?)
+(: light-shader (-> World (Vectorof Piece) (Vectorof Material) Boolean Boolean
+                    (-> FlVector FxVector Void)))
+(define (light-shader world pieces materials toon? behind?)
   (define article?
     (for/and : Boolean ([material (in-vector materials)])
       (or (Phong? material) (Emitter? material))))
@@ -369,7 +386,7 @@
                                (Float3-scale-by-vector
                                 (Float3-in r light-radiance)
                                 (Float3-add room (Float3-in r surface-color))))))
-    (when (fl> (flvector-ref r light-density) 0.0)
+    (when (and (not behind?) (fl> (flvector-ref r light-density) 0.0))
       (Float3-put! r ray-direction (Float3-negate (Float3-in r out-direction)))
       (background! r i)
       (Float3-put! r radiance

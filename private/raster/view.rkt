@@ -109,20 +109,22 @@
 
 ;; Camera-frustum : the projection matrix from that eye space to device coordinates, of a picture of
 ;; #:width by #:height pixels and the part of space between the distances 0 < near < far along the
-;; line of sight. Raises for panoramic and fisheye cameras, whose projections have no matrix.
-(: Camera-frustum (->* (Camera #:near Real #:far Real) (#:width Integer #:height Integer) Projection))
-(define (Camera-frustum given #:near near #:far far #:width [width 640] #:height [height 360])
+;; line of sight; without #:far a perspective's has no end. Raises for panoramic and fisheye cameras,
+;; whose projections have no matrix, and for an orthographic one without an end.
+(: Camera-frustum
+   (->* (Camera #:near Real) (#:far Real #:width Integer #:height Integer) Projection))
+(define (Camera-frustum given #:near near #:far [far +inf.0] #:width [width 640]
+                        #:height [height 360])
   (define camera (fitted 'Camera-frustum given width height))
   (define n (check-positive 'Camera-frustum "near" near))
-  (define f (check-positive 'Camera-frustum "far" far))
-  (unless (fl< n f) (raise-expected 'Camera-frustum "far" "a distance beyond near" far))
+  (define f (check-farther 'Camera-frustum n far))
   (define right (Float3-length (Camera-right camera)))
   (define up (Float3-length (Camera-up camera)))
   (define forward (Float3-length (Camera-forward camera)))
   (case (Camera-projection camera)
     [(perspective)
-     (Projection (fl/ forward right) (fl/ forward up) (fl/ (fl+ f n) (fl- n f))
-                 0.0 0.0 (fl/ (fl* 2.0 (fl* f n)) (fl- n f)) #t)]
+     (define-values (z-scale z-offset) (perspective-depth n f))
+     (Projection (fl/ forward right) (fl/ forward up) z-scale 0.0 0.0 z-offset #t)]
     [(orthographic)
      (Projection-orthographic #:left (fl- 0.0 right) #:right right #:bottom (fl- 0.0 up) #:top up
                               #:near n #:far f)]
@@ -141,14 +143,17 @@
 
 ;; Projection-clip-planes : the planes left, right, bottom, top, near and far of what is seen, in eye
 ;; space, each as (list a b c d): a x + b y + c z + d is the distance of a point from it, positive
-;; on the side that is seen. (Gribb and Hartmann, "Fast Extraction of Viewing Frustum Planes from the
+;; on the side that is seen; without far where a perspective has no end. (Gribb and Hartmann, "Fast Extraction of Viewing Frustum Planes from the
 ;; World-View-Projection Matrix", 2001.)
 (: Projection-clip-planes (-> Projection (Listof (List Flonum Flonum Flonum Flonum))))
 (define (Projection-clip-planes projection)
   (define rows (Projection-matrix-rows projection))
   (define last-row (cadddr rows))
+  (define endless? (Projection-endless? projection))
   (for*/list : (Listof (List Flonum Flonum Flonum Flonum)) ([k (in-list '(0 1 2))]
-                                                            [sign (in-list '(1.0 -1.0))])
+                                                            [sign (in-list '(1.0 -1.0))]
+                                                            #:unless (and endless? (= k 2)
+                                                                          (fl< sign 0.0)))
     (define sum
       (for/list : (Listof Flonum) ([w (in-list last-row)] [entry (in-list (list-ref rows k))])
         (fl+ w (fl* sign entry))))
@@ -156,10 +161,17 @@
     (define length (flsqrt (fl+ (fl+ (fl* a a) (fl* b b)) (fl* c c))))
     (list (fl/ a length) (fl/ b length) (fl/ c length) (fl/ d length))))
 
+;; Whether what is seen has no end.
+(: Projection-endless? (-> Projection Boolean))
+(define (Projection-endless? projection)
+  (and (Projection-divides? projection) (fl= (Projection-z-scale projection) -1.0)))
+
 ;; Projection-frustum-corners : the eight corners of what is seen, in eye space: four near, four far,
-;; each time left bottom, right bottom, left top, right top.
+;; each time left bottom, right bottom, left top, right top. Raises where a perspective has no end.
 (: Projection-frustum-corners (-> Projection (Listof Float3)))
 (define (Projection-frustum-corners projection)
+  (when (Projection-endless? projection)
+    (raise-expected 'Projection-frustum-corners "projection" "one with a far plane" projection))
   (for*/list : (Listof Float3) ([z (in-list '(-1.0 1.0))] [y (in-list '(-1.0 1.0))]
                                                           [x (in-list '(-1.0 1.0))])
     (Projection-unproject projection (Float3 x y z))))

@@ -4,7 +4,8 @@
 (require "../base/unsafe.rkt" "../base/float3.rkt" "../base/check.rkt")
 
 (provide (struct-out Projection) Projection-perspective Projection-orthographic
-         Projection-point Projection-unproject Projection-matrix-rows)
+         Projection-point Projection-unproject Projection-matrix-rows
+         perspective-depth check-farther)
 
 ;; The entries of the matrix that are not 0: the diagonal, the offsets of the third column or the
 ;; fourth, and whether points are divided by their distance -z.
@@ -14,7 +15,8 @@
   #:transparent)
 
 ;; Projection-perspective : of a camera with that vertical field of view (degrees, below 180), width
-;; over height `aspect`, and planes at the distances 0 < near < far.
+;; over height `aspect`, and planes at the distances 0 < near < far; far may be +inf.0, for all there
+;; is.
 (: Projection-perspective
    (-> #:vertical-field-of-view-degrees Real #:aspect Real #:near Real #:far Real Projection))
 (define (Projection-perspective #:vertical-field-of-view-degrees degrees #:aspect aspect
@@ -25,9 +27,17 @@
   (define n (check-positive 'Projection-perspective "near" near))
   (define f (check-farther 'Projection-perspective n far))
   (define y (fl/ 1.0 (fltan (fl* angle 0.008726646259971648))))
+  (define-values (z-scale z-offset) (perspective-depth n f))
   (Projection (fl/ y (check-positive 'Projection-perspective "aspect" aspect)) y
-              (fl/ (fl+ f n) (fl- n f))
-              0.0 0.0 (fl/ (fl* 2.0 (fl* f n)) (fl- n f)) #t))
+              z-scale 0.0 0.0 z-offset #t))
+
+;; perspective-depth : the scale and the offset of depths between two planes in perspective; their
+;; limits where the far one is infinitely far.
+(: perspective-depth (-> Flonum Flonum (Values Flonum Flonum)))
+(define (perspective-depth n f)
+  (if (fl= f +inf.0)
+      (values -1.0 (fl* -2.0 n))
+      (values (fl/ (fl+ f n) (fl- n f)) (fl/ (fl* 2.0 (fl* f n)) (fl- n f)))))
 
 ;; Projection-orthographic : of the box from left to right, bottom to top, and -near to -far along z.
 (: Projection-orthographic
@@ -47,9 +57,10 @@
   (Projection (fl/ 2.0 (fl- r l)) (fl/ 2.0 (fl- t b)) (fl/ 2.0 (fl- n f))
               (fl/ (fl+ r l) (fl- l r)) (fl/ (fl+ t b) (fl- b t)) (fl/ (fl+ f n) (fl- n f)) #f))
 
+;; check-farther : a far plane beyond the near one.
 (: check-farther (-> Symbol Flonum Real Flonum))
 (define (check-farther who near far)
-  (define f (check-positive who "far" far))
+  (define f (if (eqv? far +inf.0) +inf.0 (check-positive who "far" far)))
   (unless (fl< near f) (raise-expected who "far" "a distance beyond near" far))
   f)
 

@@ -10,7 +10,7 @@
 (require racket/file racket/format racket/list racket/runtime-path racket/stream racket/string
          syntax/modread)
 
-(provide write-features load-library (struct-out edit))
+(provide write-features load-library edited-text absences (struct-out edit))
 
 (define-runtime-path package-folder "../..")
 (define-runtime-path worlds-file "feature-worlds.rkt")
@@ -24,7 +24,19 @@
   (edit "private/integrate/path.rkt"
         "(when (and lights? (not (MaterialKernel-specular? kernel)))" 1 "(when #f"))
 (define emission-edit
-  (edit "private/integrate/path.rkt" "(when shines? " 2 "(when #f "))
+  (edit "private/integrate/path.rkt" "(when add-emission! " 2 "(when #f "))
+(define media-edit
+  (edit "private/integrate/path.rkt" "(define media (path-media scene medium))" 1
+        "(define media #f)"))
+(define textures-edit
+  (edit "private/integrate/path.rkt" "(let ([prepare (MaterialKernel-prepare kernel)])" 1
+        "(let ([prepare #f])"))
+(define filter-edit
+  (edit "private/render/pixel.rkt" "[filter\n                 (sample-next-pair! r i)" 1
+        "[#f\n                 (sample-next-pair! r i)"))
+(define sampled-sky-edit
+  (edit "private/integrate/path.rkt" "[(fx< background-light 0) (flvector-set!" 1
+        "[#t (flvector-set!"))
 (define transmission-edit
   (edit "private/integrate/path.rkt" "(vertex (fx+ depth 1) (MaterialKernel-transmits? kernel))" 1
         "(vertex (fx+ depth 1) #f)"))
@@ -36,7 +48,7 @@
 (define lens-edit
   (edit "private/world/camera-kernel.rkt" "(define cast! (untimed-kernel camera" 1
         "(define cast! (pinhole-kernel camera"))
-;; row, the edits
+;; absences : row, the edits
 (define absences
   (list (list "nothing: the same twice" '())
         (list "sampled lights" (list lights-edit))
@@ -44,11 +56,18 @@
         (list "transmission" (list transmission-edit))
         (list "unbounded shapes and shapes other than spheres"
               (list unbounded-edit other-shapes-edit))
+        (list "media" (list media-edit))
+        (list "textures and bumps" (list textures-edit))
+        (list "skies that are sampled" (list sampled-sky-edit))
+        (list "pixel filters" (list filter-edit))
         (list "a lens and other projections" (list lens-edit))
         (list "all of these"
               (list lights-edit emission-edit transmission-edit depth-edit
+                    media-edit textures-edit sampled-sky-edit filter-edit
                     unbounded-edit other-shapes-edit lens-edit))))
 
+;; edited-text : the source of a file of the library with the edits made. Raises one line where one of
+;; them does not find the text it is for as often as it should.
 (define (edited-text file edits)
   (for/fold ([text (file->string (build-path package-folder file))]) ([e (in-list edits)])
     (define found (length (regexp-match* (regexp-quote (edit-text e)) text)))

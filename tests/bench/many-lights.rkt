@@ -4,11 +4,11 @@
 ;;   racket tests/bench/many-lights.rkt
 (require racket/format "features.rkt")
 
-(provide write-many-lights)
+(provide write-many-lights uniform-choice)
 
 (define-values (width height samples) (values 120 68 16))
 
-;; The choice by the tree and its probability replaced in the path integrator.
+;; uniform-choice : the choice by the tree and its probability replaced in the path integrator.
 (define path-file "private/integrate/path.rkt")
 (define uniform-choice
   (list (edit path-file

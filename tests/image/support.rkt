@@ -2,7 +2,7 @@
 ;; What the tests of picture files share: scratch folders, one-line errors, mutated files, and a
 ;; small picture.
 (provide call-with-folder write-file one-line-error check-one-line check-mutations
-         small-image random-image)
+         small-image random-image repaired)
 (require racket/file racket/flonum rackunit "../../private/image/image.rkt")
 
 ;; Calls use with a fresh folder that is deleted afterwards.
@@ -99,3 +99,19 @@
   (make-Image width height
               (for/flvector #:length (* 3 width height) ([_ (in-range (* 3 width height))])
                 (+ low (* (- high low) (random generator))))))
+
+;; repaired : a PNG's bytes with the checksums its chunks should have, as far as it has chunks.
+(define (repaired png)
+  (define result (bytes-copy png))
+  (let loop ([at 8])
+    (define data-end
+      (and (<= (+ at 12) (bytes-length png))
+           (+ at 8 (integer-bytes->integer png #f #t at (+ at 4)))))
+    (when (and data-end (<= (+ data-end 4) (bytes-length png)))
+      (integer->integer-bytes (checksum png (+ at 4) data-end) 4 #f #t result data-end)
+      (loop (+ data-end 4))))
+  result)
+(define (checksum bytes start end)
+  (for/fold ([crc #xFFFFFFFF] #:result (- #xFFFFFFFF crc)) ([byte (in-bytes bytes start end)])
+    (for/fold ([crc (bitwise-xor crc byte)]) ([_ (in-range 8)])
+      (bitwise-xor (quotient crc 2) (if (odd? crc) #xEDB88320 0)))))

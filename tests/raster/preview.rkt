@@ -15,7 +15,7 @@
   (define shapes-camera (caddr (car raster-scenes)))
 
   (test-case "a crop is that part of the whole picture, exactly"
-    (for ([shading '(phong gouraud flat wireframe depth)])
+    (for ([shading '(phong gouraud flat wireframe hidden-lines depth)])
       (define whole (preview shapes shapes-camera #:width 96 #:height 54 #:shading shading))
       (define part (preview shapes shapes-camera #:width 96 #:height 54 #:shading shading
                             #:crop '(17 9 40 31)))
@@ -40,6 +40,60 @@
   (define white (Lambertian (Float3 1 1 1)))
   (define ahead (Camera-look-at (Float3 0 0 4) (Float3 0 0 0) #:zoom 1))
   (define wall (Quad (Float3 -9 -9 0) (Float3 18 0 0) (Float3 0 18 0) white))
+
+  (test-case "glass shows what is behind it, less what it reflects; 1e-3"
+    (define red-wall (Quad (Float3 -9 -9 0) (Float3 18 0 0) (Float3 0 18 0)
+                           (Lambertian (Float3 0.8 0.2 0.1))))
+    (define pane (Quad (Float3 -1 -1 1) (Float3 2 0 0) (Float3 0 2 0) (Dielectric 1.5)))
+    (define sky (Float3 0.2 0.4 1))
+    (define sun (DistantLight (Float3 0 3 4) (Float3 5 5 5)))
+    (define (middle shapes shading)
+      (pixel (draw (World shapes sun sky) ahead #:shading shading) 32 18))
+    (for ([shading '(phong gouraud flat)])
+      (define wall-alone (middle (list red-wall) shading))
+      (for ([glass (list (list red-wall pane) (list pane red-wall))])
+        (for ([shown (middle glass shading)] [behind wall-alone] [mirrored '(0.2 0.4 1)])
+          (check-= shown (+ (* 0.96 behind) (* 0.04 mirrored)) 1e-3)))
+      ;; nothing behind but the sky: the sky itself; behind a second pane the wall still
+      (for ([shown (middle (list pane) shading)] [expected '(0.2 0.4 1)])
+        (check-= shown expected 1e-3)))
+    (define edge (pixel (draw (World (list red-wall pane) sun sky) ahead) 2 2))
+    (check-equal? edge (pixel (draw (World (list red-wall) sun sky) ahead) 2 2)))
+
+  (test-case "hidden lines: all lines where nothing hides, none of those behind a surface"
+    (define (lit image)
+      (for/sum ([y (Image-height image)] #:when #t [x (Image-width image)])
+        (if (> (apply + (pixel image x y)) 0) 1 0)))
+    (define tilted (Quad (Float3 -1 -1 0.5) (Float3 2 0.3 -1) (Float3 0.2 2 -0.7) white))
+    (define (lines shapes shading)
+      (preview (World shapes (list) black) ahead #:width 384 #:height 216 #:samples 1
+               #:shading shading))
+    (check-equal? (lines (list tilted) 'hidden-lines) (lines (list tilted) 'wireframe))
+    (define wires (lines (list (Sphere (Float3 0 0 0) 1 white)) 'wireframe))
+    (define seen (lines (list (Sphere (Float3 0 0 0) 1 white)) 'hidden-lines))
+    ;; a ball's front has about half of its lines, and no sample that the wires have not
+    (check-true (< (* 0.3 (lit wires)) (lit seen) (* 0.95 (lit wires))))
+    (for* ([y 216] [x 384])
+      (when (> (apply + (pixel seen x y)) 0)
+        (check-true (> (apply + (pixel wires x y)) 0))))
+    ;; a box: its corner nearest to the viewer is seen, the one farthest away is not
+    (define camera (Camera-look-at (Float3 2 1.5 4) (Float3 0 0 0)))
+    (define box (Box (Float3 -1 -1 -1) (Float3 1 1 1) white))
+    (define (near-corner? corner shading)
+      (define image
+        (preview (World (list box) '() black) camera #:width 160 #:height 90 #:shading shading))
+      (define at (Camera-project camera corner #:width 160 #:height 90))
+      (for*/or ([dy '(-1 0 1)] [dx '(-1 0 1)])
+        (> (apply + (pixel image (+ dx (inexact->exact (floor (Float3-x at))))
+                           (+ dy (inexact->exact (floor (Float3-y at))))))
+           0)))
+    (check-true (near-corner? (Float3 1 1 1) 'hidden-lines))
+    (check-true (near-corner? (Float3 -1 -1 -1) 'wireframe))
+    (check-false (near-corner? (Float3 -1 -1 -1) 'hidden-lines))
+    ;; a wall in front hides everything
+    (define front (Quad (Float3 -9 -9 2) (Float3 18 0 0) (Float3 0 18 0) white))
+    (check-equal? (lines (list (Sphere (Float3 0 0 0) 0.5 white) front) 'hidden-lines)
+                  (lines (list front) 'wireframe)))
 
   (test-case "light on a wall: irradiance over pi; the article's without pi; 1e-12"
     (define sun (DistantLight (Float3 0 3 4) (Float3 5 5 5)))
@@ -108,7 +162,7 @@
       (check-= (cadr (pixel image x y)) (/ (+ py 1) 2) 1e-12)))
 
   (test-case "every shading draws every scene: finite, none negative, and not nothing"
-    (for* ([scene raster-scenes] [shading '(phong gouraud flat toon wireframe)])
+    (for* ([scene raster-scenes] [shading '(phong gouraud flat toon wireframe hidden-lines)])
       (define image (draw (cadr scene) (caddr scene) #:samples 2 #:shading shading))
       (for ([v (in-flvector (Image-pixels image))]) (check-true (<= 0.0 v 1e6)))
       (check-true (> (length (remove-duplicates (for*/list ([y 36] [x 64]) (pixel image x y)))) 2)

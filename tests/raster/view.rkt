@@ -89,6 +89,28 @@
                         (if (< (abs distance) 1e-11) 1 0))
                       3))))
 
+  (test-case "a perspective without an end: five planes, and the limit of far ones, to 1e-9"
+    (define endless (Camera-frustum (car cameras) #:near 0.5))
+    (define far (Camera-frustum (car cameras) #:near 0.5 #:far 1e12))
+    (check-equal? (length (Projection-clip-planes endless)) 5)
+    (check-equal? (length (Projection-clip-planes far)) 6)
+    (for ([row (Projection-matrix-rows endless)] [other (Projection-matrix-rows far)])
+      (for ([x row] [y other]) (check-= x y 1e-9)))
+    (for ([plane (Projection-clip-planes endless)] [other (Projection-clip-planes far)])
+      (for ([x plane] [y other]) (check-= x y 1e-9)))
+    (define point (Float3 1 2 -3000))
+    (define back (Projection-unproject endless (Projection-point endless point)))
+    (check-= (Float3-z back) -3000 1e-6)
+    (check-equal? (Projection-matrix-rows
+                   (Projection-perspective #:vertical-field-of-view-degrees 50 #:aspect 1.5
+                                           #:near 2 #:far +inf.0))
+                  (let ([rows (Projection-matrix-rows
+                               (Projection-perspective #:vertical-field-of-view-degrees 50
+                                                       #:aspect 1.5 #:near 2 #:far 10))])
+                    (list (car rows) (cadr rows) '(0.0 0.0 -1.0 -4.0) (cadddr rows))))
+    (check-exn #rx"far plane" (lambda () (Projection-frustum-corners endless)))
+    (check-exn #rx"far" (lambda () (Camera-frustum (list-ref cameras 3) #:near 1))))
+
   (test-case "refused"
     (check-exn #rx"perspective or orthographic"
                (lambda () (Camera-frustum (Camera-panoramic eye focus) #:near 1 #:far 2)))

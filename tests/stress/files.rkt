@@ -1,10 +1,11 @@
 #lang racket/base
-;; Mutated mesh files of every format, and Radiance pictures: each loads or gives one line that names
-;; the file.
+;; Mutated mesh files and pictures of every format: each loads or gives one line that names the file.
+;; What loads is a sound mesh, or a picture that a texture can be made of.
 
 (provide cases)
 
-(require racket/file racket/flonum "case.rkt" "../../main.rkt" "../read/sphere-files.rkt")
+(require racket/class racket/file racket/flonum "case.rkt" "../../main.rkt" "../read/sphere-files.rkt"
+         (only-in "../image/support.rkt" repaired))
 
 (define SECONDS 10) ; for one file, after which it counts as a hang
 
@@ -47,21 +48,26 @@
      (lambda ()
        (set! result
              (with-handlers ([exn:fail? values])
-               (if (regexp-match? #rx"[.]hdr$" path) (Image-read path) (Mesh-read path)))))))
+               (if (picture? path) (ImageTexture (Image-read path)) (Mesh-read path)))))))
   (define ended? (sync/timeout SECONDS reading))
   (kill-thread reading)
   (cond
     [(not ended?) "hangs"]
-    [(not (exn? result)) (if (sound? result) 'loaded "is read with numbers that are not finite")]
+    [(not (exn? result)) (if (sound? result) 'loaded "is read, but is not sound")]
     [(not (exn:fail:user? result)) (format "raises ~e" result)]
     [(regexp-match? #rx"^[^\n\r]*/mesh[.][a-z]+:[^\n\r]*expected[^\n\r]*$" (exn-message result))
      'refused]
     [else (format "says ~s" (exn-message result))]))
 
+(define (picture? path) (regexp-match? #rx"[.](hdr|ppm|pfm|png|jpg)$" path))
+
+;; A picture has as many numbers as its size says; those of a PFM may be anything.
 (define (sound? content)
   (define (finite? numbers) (for/and ([x (in-flvector numbers)]) (< (abs x) +inf.0)))
   (cond
-    [(Image? content) (finite? (Image-pixels content))]
+    [(ImageTexture? content)
+     (define image (ImageTexture-image content))
+     (= (flvector-length (Image-pixels image)) (* 3 (Image-width image) (Image-height image)))]
     [(Mesh? content) (finite? (Mesh-positions content))]
     [else (andmap sound? (Group-shapes content))]))
 
@@ -83,8 +89,26 @@
                 (apply bytes (for/list ([k (in-range 48)]) (+ 5 (modulo (* 29 k) 247))))
                 (bytes 200 100 50 130 1 1 1 4 9 9 9 120 1 1 1 6)))
 
-;; Mutates the file called `name` of the files; `mesh` is the one that is read.
-(define (mutations size files name mesh)
+;; A small picture in the bytes of a format.
+(define (picture-bytes extension)
+  (define path (make-temporary-file (string-append "picture~a." extension)))
+  (define image
+    (render (World (list (Sphere (Float3 0 0 0) 1 (Lambertian (Float3 0.7 0.3 0.2)))) '()
+                   (Float3 0.4 0.6 1))
+            (Camera-look-at (Float3 0 0 5) (Float3 0 0 0)) #:width 20 #:height 12 #:samples 1
+            #:integrator 'path #:schedule 'sequential))
+  (dynamic-wind
+   void
+   (lambda ()
+     (if (equal? extension "jpg")
+         (send (Image->bitmap image) save-file path 'jpeg 90)
+         (Image-write image path))
+     (file->bytes path))
+   (lambda () (delete-file path))))
+
+;; Mutates the file called `name` of the files; `mesh` is the one that is read. finish is applied to
+;; three mutants of four.
+(define (mutations size files name mesh [finish values])
   (define generator (make-pseudo-random-generator))
   (parameterize ([current-pseudo-random-generator generator]) (random-seed 1985))
   (define (pick n) (random n generator))
@@ -101,7 +125,8 @@
      (define original (cdr (assoc name files)))
      (for/fold ([loaded 0] [refused 0] [wrong (if (eq? unchanged 'loaded) '() (list unchanged))])
                ([k (in-range (amount 10000 size 100))])
-       (write-file! name (mutate original pick))
+       (define mutant (mutate original pick))
+       (write-file! name (if (= 0 (remainder k 4)) mutant (finish mutant)))
        (define found (outcome path))
        (case found
          [(loaded) (values (+ loaded 1) refused wrong)]
@@ -121,6 +146,10 @@
       [(obj-materials) (mutations size featured "mesh.obj" "mesh.obj")]
       [(hdr) (mutations size (list (cons "mesh.hdr" radiance)) "mesh.hdr" "mesh.hdr")]
       [(mtl) (mutations size featured "mesh.mtl" "mesh.obj")]
+      [(ppm pfm png jpg)
+       (define name (format "mesh.~a" kind))
+       (mutations size (list (cons name (picture-bytes (symbol->string kind)))) name name
+                  (if (eq? kind 'png) repaired values))]
       [else
        (define name (string-append "mesh." (substring (symbol->string kind) 0 3)))
        (mutations size (list (cons name (sphere-bytes kind))) name name)]))
@@ -129,5 +158,5 @@
           (and (null? wrong) (> refused 0) (> loaded 0))))
 
 (define cases
-  (for/list ([kind (in-list (append sphere-kinds '(obj-materials mtl hdr)))])
+  (for/list ([kind (in-list (append sphere-kinds '(obj-materials mtl hdr ppm pfm png jpg)))])
     (stress-case (format "files ~a" kind) "0 but loaded or refused in one line" (files-case kind))))

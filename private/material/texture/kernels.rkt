@@ -62,13 +62,17 @@
     (texture! r i)
     (clamp-color! r 1e300)))
 
-;; Leaves in surface-roughness the luminance (Rec. 709) of what a texture shows, from 0 to 1.
+;; Leaves in surface-roughness the luminance (Rec. 709) of what a texture shows, from 0 to 1; of a
+;; grey its component, to the bit.
 (: weight-kernel (-> ColorOrTexture TextureKernel))
 (define (weight-kernel texture)
   (define texture! (Texture-kernel texture))
   (lambda ([r : FlVector] [i : FxVector])
     (texture! r i)
     (clamp-color! r 1.0)
-    (flvector-set! r surface-roughness
-                   (flmin 1.0 (Float3-dot (Float3-in r surface-color)
-                                          (Float3 0.2126 0.7152 0.0722))))))
+    (let-float3 ([color (Float3-in r surface-color)])
+      (let ([red (Float3-x color)])
+        (flvector-set! r surface-roughness
+                       (if (and (fl= red (Float3-y color)) (fl= red (Float3-z color)))
+                           red
+                           (flmin 1.0 (Float3-dot color (Float3 0.2126 0.7152 0.0722)))))))))

@@ -8,43 +8,32 @@
          (struct-out Turbulence) make-Turbulence Turbulence-kernel
          (struct-out Marble) make-Marble Marble-kernel)
 
-;; From first to second as the noise goes from its least to its greatest value. scale: lattice
-;; points a unit of the space the shape is made in. octaves: 1 is smooth, each more adds detail
-;; half as wide. seed: another seed, another pattern.
-(struct Noise Texture
-  ([first : Float3] [second : Float3] [scale : Flonum] [octaves : Fixnum] [seed : Fixnum])
-  #:transparent)
+;; Textures from first to second with a scale, octaves and a seed.
+(define-syntax-rule (define-noise Name make-Name default-octaves)
+  (begin
+    (struct Name Texture
+      ([first : Float3] [second : Float3] [scale : Flonum] [octaves : Fixnum] [seed : Fixnum])
+      #:transparent)
+    (: make-Name (->* (Float3 Float3)
+                      (Real Integer Integer #:scale Real #:octaves Integer #:seed Integer)
+                      Name))
+    (define (make-Name first second [scale-by-place 1.0] [octaves-by-place default-octaves]
+                       [seed-by-place 0]
+                       #:scale [scale scale-by-place] #:octaves [octaves octaves-by-place]
+                       #:seed [seed seed-by-place])
+      (Name (check-color 'Name "first" first) (check-color 'Name "second" second)
+            (check-positive 'Name "scale" scale)
+            (check-octaves 'Name octaves) (check-seed 'Name seed)))
+    (define-constructor Name make-Name (first second scale octaves seed))))
 
-;; (Noise first second [scale 1] [octaves 1] [seed 0]).
-(: make-Noise (->* (Float3 Float3)
-                   (Real Integer Integer #:scale Real #:octaves Integer #:seed Integer)
-                   Noise))
-(define (make-Noise first second [scale-by-place 1.0] [octaves-by-place 1] [seed-by-place 0]
-                    #:scale [scale scale-by-place] #:octaves [octaves octaves-by-place]
-                    #:seed [seed seed-by-place])
-  (Noise (check-color 'Noise "first" first) (check-color 'Noise "second" second)
-         (check-positive 'Noise "scale" scale)
-         (check-octaves 'Noise octaves) (check-seed 'Noise seed)))
+;; (Noise first second [scale 1] [octaves 1] [seed 0]): from first to second as the noise goes from its
+;; least to its greatest value. scale: lattice points a unit of the space the shape is made in.
+;; octaves: 1 is smooth, each more adds detail half as wide. seed: another seed, another pattern.
+(define-noise Noise make-Noise 1)
 
-(define-constructor Noise make-Noise (first second scale octaves seed))
-
-;; The same with the magnitude of the noise, from 0: dark creases in a bright stone.
-(struct Turbulence Texture
-  ([first : Float3] [second : Float3] [scale : Flonum] [octaves : Fixnum] [seed : Fixnum])
-  #:transparent)
-
-;; (Turbulence first second [scale 1] [octaves 7] [seed 0]).
-(: make-Turbulence (->* (Float3 Float3)
-                        (Real Integer Integer #:scale Real #:octaves Integer #:seed Integer)
-                        Turbulence))
-(define (make-Turbulence first second [scale-by-place 1.0] [octaves-by-place 7] [seed-by-place 0]
-                         #:scale [scale scale-by-place] #:octaves [octaves octaves-by-place]
-                         #:seed [seed seed-by-place])
-  (Turbulence (check-color 'Turbulence "first" first) (check-color 'Turbulence "second" second)
-              (check-positive 'Turbulence "scale" scale)
-              (check-octaves 'Turbulence octaves) (check-seed 'Turbulence seed)))
-
-(define-constructor Turbulence make-Turbulence (first second scale octaves seed))
+;; (Turbulence first second [scale 1] [octaves 7] [seed 0]): the same with the magnitude of the noise,
+;; from 0: dark creases in a bright stone.
+(define-noise Turbulence make-Turbulence 7)
 
 ;; Layers across z, sin(bands z), their phase shifted by disorder times the turbulence; point and
 ;; turbulence are scaled alike. The book's marble is scale 1, bands 4, disorder 10, 7 octaves.

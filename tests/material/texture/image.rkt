@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Pictures as textures: which way up, exact bilinear values, wrapping, sRGB.
 (module+ test
-  (require rackunit racket/file racket/flonum racket/list racket/math raytrace "support.rkt"
+  (require rackunit racket/class racket/file racket/flonum racket/list racket/math raytrace "support.rkt"
            (only-in "../../../private/image/image.rkt" make-Image))
 
   (define (make-picture width height colors)
@@ -71,16 +71,36 @@
       (check-not-false (member here colors))
       (check-equal? (components (look (+ x 1) (- y 2))) here)))
 
+  (define (linear byte)
+    (define s (/ byte 255.0))
+    (if (<= s 0.04045) (/ s 12.92) (expt (/ (+ s 0.055) 1.055) 2.4)))
+
   (test-case "8-bit pictures are decoded from sRGB"
     (define file (make-temporary-file "texture~a.ppm"))
     (call-with-output-file file #:exists 'truncate
       (lambda (out) (write-bytes #"P6 1 1 255\n\200\12\377" out)))
     (define shown ((seen (ImageTexture (Image-read file))) 0.4 0.6))
     (delete-file file)
-    (define (linear byte)
-      (define s (/ byte 255.0))
-      (if (<= s 0.04045) (/ s 12.92) (expt (/ (+ s 0.055) 1.055) 2.4)))
     (check-true (same-color? shown (map linear '(128 10 255)) 1e-12)))
+
+  (test-case "a JPEG as a texture: its quarters upright and in their colours, to 0.03"
+    (define file (make-temporary-file "texture~a.jpg"))
+    (define bitmap ((dynamic-require 'racket/draw 'make-bitmap) 32 16 #f))
+    ;; red green / blue grey
+    (define bytes-of-pixels
+      (apply bytes-append
+             (for*/list ([y 16] [x 32])
+               (bytes-append #"\377" (if (< y 8)
+                                         (if (< x 16) #"\310\24\36" #"\24\264\50")
+                                         (if (< x 16) #"\24\36\322" #"\200\200\200"))))))
+    (send bitmap set-argb-pixels 0 0 32 16 bytes-of-pixels)
+    (check-true (send bitmap save-file file 'jpeg 95))
+    (define look (seen (ImageTexture (Image-read file) 'nearest)))
+    (delete-file file)
+    (for ([at '((0.27 0.77) (0.77 0.77) (0.27 0.27) (0.77 0.27))]
+          [color '((200 20 30) (20 180 40) (20 30 210) (128 128 128))])
+      (define shown (look (car at) (cadr at)))
+      (check-true (same-color? shown (map linear color) 0.03) (format "~a: ~a" at shown))))
 
   (test-case "a picture of a square with a picture on it has the picture's mean"
     (define world
