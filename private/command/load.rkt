@@ -6,13 +6,16 @@
 
 ;; load-scene : the world, the camera and the settings (an empty hash where there are none) that a
 ;; module provides. word: the scene as the user named it. What the scene prints goes to standard
-;; error. Every failure is one line (exn:fail:user) that starts with word.
-(define (load-scene word path)
+;; error. namespace: where modules are that are loaded already. Every failure is one line (exn:fail:user)
+;; that starts with word.
+(define (load-scene word path
+                    #:namespace
+                    [namespace (variable-reference->empty-namespace (#%variable-reference))])
   (define (failed e) (raise-user-error (format "~a: ~a" (place word path e) (reason e))))
   (define (get name otherwise)
     (dynamic-require path name otherwise))
   (define-values (world camera settings)
-    (parameterize ([current-namespace (variable-reference->empty-namespace (#%variable-reference))]
+    (parameterize ([current-namespace namespace]
                    [current-output-port (current-error-port)]
                    [current-command-line-arguments #()]
                    [exit-handler (lambda (code) (raise-user-error "left by (exit)"))])
