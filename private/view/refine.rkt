@@ -3,9 +3,9 @@
 ;; more samples. One render continues the film of the one before, so no sample is lost.
 (require racket/flonum "../render/render.rkt" "../render/film.rkt" "../render/job.rkt"
          "../render/passes.rkt" "../render/statistics.rkt" "../render/memory.rkt"
-         "../raster/raster.rkt" "../image/image.rkt" "../image/edit.rkt")
+         "../integrate/integrators.rkt" "../raster/raster.rkt" "../image/image.rkt" "../image/edit.rkt")
 
-(provide (struct-out scene) (struct-out shown) now refine fast-preview next-divisor stage-goal
+(provide (struct-out scene) (struct-out shown) now make-ready refine fast-preview next-divisor stage-goal
          over status-text)
 
 ;; What is looked at. samples: the most a pixel gets, or #f; error: the relative RMSE at which it is good
@@ -50,6 +50,10 @@
 
 ;; ----------------------------------------------------------------------------------------------
 ;; Tracing
+
+;; make-ready : brings the world into the form that is traced, once for all pictures of it.
+(define (make-ready given)
+  (World-integrator (scene-world given) (scene-integrator given) (scene-max-depth given)))
 
 ;; The samples of the first passes, the same in all pixels.
 (define FIRST-SAMPLES '(2 8))

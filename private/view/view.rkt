@@ -47,7 +47,9 @@
 (define (check-display)
   (when (and (eq? 'unix (system-type)) (not (variable? "DISPLAY")) (not (variable? "WAYLAND_DISPLAY")))
     (raise-user-error "view needs a display: neither DISPLAY nor WAYLAND_DISPLAY is set"))
-  (with-handlers ([exn:fail? (lambda (e)
+  (with-handlers ([exn:missing-module?
+                   (lambda (e) (raise-user-error "view needs racket/gui: the package gui-lib"))]
+                  [exn:fail? (lambda (e)
                                (raise-user-error
                                 (string-append "view needs a display: " (exn-message e))))])
     (window-loaded?)))

@@ -11,6 +11,7 @@
 
 ;; look-around : as view-scene.
 (define (look-around first #:name name #:reload reload #:files files)
+  (define keeper (current-custodian))
   (define custodian (make-custodian))
   (define closed (make-semaphore 0))
   (define result (scene-camera first))
@@ -20,7 +21,7 @@
   (define close!
     (parameterize ([current-custodian custodian])
       (parameterize ([current-eventspace (make-eventspace)])
-        (open-window first name reload files finish))))
+        (open-window first name reload files finish keeper))))
   (dynamic-wind
    void
    (lambda ()
@@ -37,7 +38,7 @@
 ;; Opens the window in the current eventspace, calls finish with the last camera when the user closes it,
 ;; and returns a procedure that ends everything. All that is set here is set by the eventspace's own
 ;; thread.
-(define (open-window first name reload files finish)
+(define (open-window first name reload files finish keeper)
   (define out (current-output-port))
   (define errors (current-error-port))
   (define eventspace (current-eventspace))
@@ -80,7 +81,7 @@
           (or message (if seen (status-text seen (look-stops now-seen)) "")))
     (send canvas refresh))
 
-  (define background (start-background show fail))
+  (define background (start-background show fail #:keeper keeper))
   (define (order-picture!)
     (order! background (struct-copy scene given [camera (look-camera now-seen)])))
 
@@ -224,8 +225,7 @@
     (define-values (world width height)
       (values (scene-world given) (scene-width given) (scene-height given)))
     (when (and (<= 0 x width) (<= 0 y height))
-      (thread
-       (lambda ()
+      (define (find)
          (define focused (Camera-focused world camera (- x 0.5) (- y 0.5) width height))
          (in-window
           (lambda ()
@@ -234,7 +234,8 @@
               [(equal? camera (look-camera now-seen))
                (look! (look-focused now-seen focused))
                (tell! (focus-text (Camera-focus-distance focused)
-                                  (Camera-lens-radius focused)))])))))))
+                                  (Camera-lens-radius focused)))]))))
+      (parameterize ([current-custodian keeper]) (thread find))))
 
   (send frame show #t)
   (send canvas min-client-width 80)
