@@ -1,6 +1,6 @@
 #lang racket/base
 ;; Loading a scene: a Racket module anywhere on disk, compiled in memory where it has to be.
-(require "line.rkt" "values.rkt" "../world/world.rkt" "../world/camera.rkt")
+(require (only-in racket/path find-relative-path) "line.rkt" "values.rkt" "../world/world.rkt" "../world/camera.rkt")
 
 (provide load-scene)
 
@@ -65,15 +65,25 @@
     [(exn:srclocs? e) (regexp-replace #px"^\\S+?:\\d+:\\d+: " (exn-message e) "")]
     [else (exn-message e)]))
 
-;; The scene's name, with the line where it went wrong if that is known.
+;; The scene's name, with the line where it went wrong if that is known, or the place in a module beside
+;; or below it.
 (define (place word path e)
   (define locations
-    (append (if (exn:srclocs? e) ((exn:srclocs-accessor e) e) '())
-            (if (exn? e)
-                (map cdr (continuation-mark-set->context (exn-continuation-marks e)))
-                '())))
-  (define line
-    (for/first ([location (in-list locations)]
-                #:when (and location (equal? (srcloc-source location) path)))
-      (srcloc-line location)))
-  (if line (format "~a:~a" word line) word))
+    (filter values
+            (append (if (exn:srclocs? e) ((exn:srclocs-accessor e) e) '())
+                    (if (exn? e)
+                        (map cdr (continuation-mark-set->context (exn-continuation-marks e)))
+                        '()))))
+  (define (line-in right?)
+    (for/first ([location (in-list locations)] #:when (right? (srcloc-source location)))
+      location))
+  (define here (line-in (lambda (source) (equal? source path))))
+  (define-values (folder name must-be-folder?) (split-path path))
+  (define (near? source)
+    (and (path? source) (not (eq? 'up (car (explode-path (find-relative-path folder source)))))))
+  (define there (and (not here) (line-in near?)))
+  (cond
+    [here (format "~a:~a" word (srcloc-line here))]
+    [there (format "~a: ~a:~a" word (find-relative-path folder (srcloc-source there))
+                   (srcloc-line there))]
+    [else word]))

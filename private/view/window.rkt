@@ -2,7 +2,8 @@
 ;; The window: draws what the background finds, and tells the look what keys and mouse do. Only this file
 ;; loads racket/gui.
 (require racket/class racket/gui/base "refine.rkt" "background.rkt" "look.rkt" "gestures.rkt"
-         "screen.rkt" "watch.rkt" "../world/camera.rkt" "../image/write.rkt")
+         "screen.rkt" "watch.rkt" "../command/line.rkt" "../world/camera.rkt"
+         "../image/write.rkt")
 
 (provide window-loaded? look-around)
 
@@ -70,7 +71,7 @@
   (define (draw-again!)
     (when seen (set! bitmap (shown-bitmap seen (scene-integrator given) (look-stops now-seen)))))
 
-  (define (fail number e) (in-window (lambda () (tell! (exn-message e)))))
+  (define (fail number e) (in-window (lambda () (tell! (one-line (exn-message e))))))
 
   (define (tell! text)
     (set! message text)
@@ -108,8 +109,9 @@
   (define (read-scene reload)
     (define found
       (with-handlers ([exn:fail? (lambda (e)
-                                   (fprintf errors "raytrace: ~a\n" (exn-message e))
-                                   (in-window (lambda () (tell! (exn-message e))))
+                                   (define text (one-line (exn-message e)))
+                                   (fprintf errors "raytrace: ~a\n" text)
+                                   (in-window (lambda () (tell! text)))
                                    #f)])
         (reload)))
     (when found
@@ -151,7 +153,7 @@
       (if (regexp-match? #rx"[.](?i:pfm|hdr)$" (if (path? path) (path->string path) path))
           (shown-image seen)
           (visible seen (scene-integrator given) (look-stops now-seen))))
-    (tell! (with-handlers ([exn:fail? exn-message])
+    (tell! (with-handlers ([exn:fail? (lambda (e) (one-line (exn-message e)))])
              (Image-write image path)
              (format "~a is written" path))))
 
