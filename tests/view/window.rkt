@@ -41,13 +41,13 @@
 
   (define told void) ; what is on the standard error of the process that is waited for
   (define (wait-for what ready?)
-    (define end (+ (current-inexact-milliseconds) 45000))
+    (define end (+ (current-inexact-milliseconds) 120000))
     (let try ()
       (define found (ready?))
       (cond [found found]
             [(> (current-inexact-milliseconds) end)
              (error 'window "waited in vain for ~a; standard error: ~s" what (told))]
-            [else (sleep 0.1) (try)])))
+            [else (sleep 0.2) (try)])))
 
   ;; A process on the display: its lines on standard output as they come, and its standard error.
   (struct viewer (process lines errors pumps))
@@ -122,7 +122,7 @@
     (write-file scene scene-text)
     (write-file parts (parts-text red))
     (define v (start on folder "-N" "raco" "-l-" "raytrace/private/command/main"
-               "view" "scene.rkt"))
+               "view" "scene.rkt" "--samples" "48"))
     (define window (wait-for "a window" (lambda () (find-window on "scene - raytrace"))))
 
     (define first (reference red camera))
@@ -200,7 +200,7 @@
   (define (try-function on folder)
     (define v
       (start on folder "-l" "racket/base" "-l" "raytrace" "-e"
-             (format "(void (print (view (World (list (Sphere (Float3 0 0 0) 1))) ~v #:width 120 #:height 80)))"
+             (format "(void (print (view (World (list (Sphere (Float3 0 0 0) 1))) ~v #:width 120 #:height 80 #:samples 16)))"
                      camera)))
     (define window (wait-for "a window" (lambda () (find-window on "view - raytrace"))))
     (wait-for "its picture"
