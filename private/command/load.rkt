@@ -1,13 +1,13 @@
 #lang racket/base
 ;; Loading a scene: a Racket module anywhere on disk, compiled in memory where it has to be.
-(require (only-in racket/path find-relative-path) "line.rkt" "values.rkt" "../world/world.rkt" "../world/camera.rkt")
+(require "line.rkt" "values.rkt" "../world/world.rkt" "../world/camera.rkt")
 
-(provide load-scene)
+(provide load-scene path-below)
 
 ;; load-scene : the world, the camera and the settings (an empty hash where there are none) that a
 ;; module provides. word: the scene as the user named it. What the scene prints goes to standard
-;; error. namespace: where modules are that are loaded already. Every failure is one line (exn:fail:user)
-;; that starts with word.
+;; error. namespace: where modules are that are loaded already. Every failure is one line
+;; (exn:fail:user) that starts with word.
 (define (load-scene word path
                     #:namespace
                     [namespace (variable-reference->empty-namespace (#%variable-reference))])
@@ -65,8 +65,8 @@
     [(exn:srclocs? e) (regexp-replace #px"^\\S+?:\\d+:\\d+: " (exn-message e) "")]
     [else (exn-message e)]))
 
-;; The scene's name, with the line where it went wrong if that is known, or the place in a module beside
-;; or below it.
+;; The scene's name, with the line where it went wrong if that is known, or the place in a module
+;; beside or below it.
 (define (place word path e)
   (define locations
     (filter values
@@ -79,11 +79,18 @@
       location))
   (define here (line-in (lambda (source) (equal? source path))))
   (define-values (folder name must-be-folder?) (split-path path))
-  (define (near? source)
-    (and (path? source) (not (eq? 'up (car (explode-path (find-relative-path folder source)))))))
-  (define there (and (not here) (line-in near?)))
+  (define (below source) (and (path? source) (path-below folder source)))
+  (define there (and (not here) (line-in below)))
   (cond
     [here (format "~a:~a" word (srcloc-line here))]
-    [there (format "~a: ~a:~a" word (find-relative-path folder (srcloc-source there))
+    [there (format "~a: ~a:~a" word (below (srcloc-source there))
                    (srcloc-line there))]
     [else word]))
+
+;; path-below : what leads to a file from a folder that it is in, or is below; #f for other files.
+(define (path-below folder file)
+  (let next ([folders (explode-path folder)] [parts (explode-path file)])
+    (cond
+      [(null? folders) (and (pair? parts) (apply build-path parts))]
+      [(and (pair? parts) (equal? (car folders) (car parts))) (next (cdr folders) (cdr parts))]
+      [else #f])))

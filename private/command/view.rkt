@@ -1,6 +1,7 @@
 #lang racket/base
 ;; raco raytrace view: a scene in a window, read again when its files change.
-(require racket/list "flags.rkt" "values.rkt" "scenes.rkt" "load.rkt" "../view/view.rkt"
+(require (only-in racket/list remove-duplicates) "flags.rkt" "values.rkt" "scenes.rkt"
+         "load.rkt" "../view/view.rkt"
          "../view/refine.rkt" "../integrate/integrators.rkt" racket/lazy-require)
 
 (lazy-require ["studio.rkt" (load-studio)])
@@ -12,8 +13,8 @@
 
 (define flags
   `((usage-help
-     "Shows <scene> in a window: drawn at once, then traced with more and more samples. The mouse moves"
-     "the camera; h shows what else there is. The scene is read again when its file changes.")
+     "Shows <scene> in a window: drawn at once, then traced with more and more samples. The mouse"
+     "moves the camera; h shows what else there is. The scene is read again when its file changes.")
     (once-each
      [("--size") ,(lambda (flag text)
                     (cons 'size (check-size flag text (text->naturals text #rx"x"))))
@@ -44,8 +45,8 @@
   (void (view-scene (read-scene) #:name (scene-name path)
                     #:reload read-scene #:files (lambda () (unbox sources)))))
 
-;; The scene, read from its file in a namespace of its own. sources: a box that is set to the files it came
-;; from.
+;; The scene, read from its file in a namespace of its own. sources: a box that is set to the files it
+;; came from.
 (define (load-viewed options word path sources)
   (define-values (world camera settings)
     (if (mesh-file? path) (load-studio path #f) (load-scene/sources word path sources)))
@@ -62,10 +63,6 @@
 ;; Modules in the scene's folder and below it are its sources, also those that are wrong.
 (define (load-scene/sources word path sources)
   (define-values (folder name must-be-folder?) (split-path path))
-  (define parts (explode-path folder))
-  (define (near? file)
-    (define all (explode-path file))
-    (and (>= (length all) (length parts)) (equal? parts (take all (length parts)))))
   (define load (current-load/use-compiled))
   (define found (list path))
   (dynamic-wind
@@ -73,7 +70,7 @@
    (lambda ()
      (parameterize ([current-load/use-compiled
                      (lambda (file expected)
-                       (when (near? file) (set! found (cons file found)))
+                       (when (path-below folder file) (set! found (cons file found)))
                        (load file expected))])
        (load-scene word path #:namespace (fresh-namespace))))
    (lambda () (set-box! sources (remove-duplicates found)))))
@@ -83,8 +80,6 @@
   (define here (variable-reference->empty-namespace (#%variable-reference)))
   (define fresh (parameterize ([current-namespace here]) (make-empty-namespace)))
   (parameterize ([current-namespace here])
-    (dynamic-require RAYTRACE #f)
-    (namespace-attach-module here RAYTRACE fresh))
+    (dynamic-require 'raytrace #f)
+    (namespace-attach-module here 'raytrace fresh))
   fresh)
-
-(define RAYTRACE 'raytrace)

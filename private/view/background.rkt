@@ -8,9 +8,9 @@
 ;; The number of the last order and the thread that obeys.
 (struct background (thread [orders #:mutable]))
 
-;; start-background : show is called with the number of an order and a shown, fail with that number and
-;; an exception, both from any thread. keeper: the custodian of what must not be cut off, for a world
-;; that was half made ready could not be used again.
+;; start-background : show is called with the number of an order and a shown, fail with that number
+;; and an exception, both from any thread. keeper: the custodian of what must not be cut off, for a
+;; world that was half made ready could not be used again.
 (define (start-background show fail #:keeper [keeper (current-custodian)])
   (background (thread (lambda () (obey show fail keeper))) 0))
 
@@ -34,8 +34,8 @@
 ;; A thread and the custodian of all that it starts.
 (struct job (thread custodian))
 
-;; Obeys until it is told to stop. A coarse preview comes first, even while the last job is ending; a job
-;; refines it unless there is another order by then.
+;; Obeys until it is told to stop. A coarse preview comes first, even while the last job is ending; a
+;; job refines it unless there is another order by then.
 (define (obey show fail keeper)
   (let loop ([divisor 2] [last #f])
     (define order (newest-order))
@@ -66,8 +66,8 @@
     (define newer (and (not (eq? order 'stop)) (thread-try-receive)))
     (if newer (next newer) order)))
 
-;; The value of (act); #f where it raised, or where it takes long and there is another order: then it goes
-;; on by itself.
+;; The value of (act); #f where it raised, or where it takes long and there is another order: then it
+;; goes on by itself.
 (define (patiently act fail)
   (define value #f)
   (define worker

@@ -55,8 +55,8 @@
                #:shutter-close (Camera-shutter-close camera)
                #:end (let ([end (Camera-end camera)]) (and end (Camera-enlarged end factor)))))
 
-;; Camera-focused : the camera focused on what is seen in the middle of the pixel in column x and row y
-;; of a picture of that size; #f where nothing is.
+;; Camera-focused : the camera focused on what is seen in the middle of the pixel in column x and row
+;; y of a picture of that size; #f where nothing is.
 (define (Camera-focused world camera x y width height)
   (define ray
     (Camera-ray (Camera-fitted camera (/ width height)) (/ (+ x 0.5) width) (/ (+ y 0.5) height)))

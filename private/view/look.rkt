@@ -1,6 +1,6 @@
 #lang racket/base
-;; What a window shows beside the picture itself: from where, how bright, whether the keys are told; and
-;; what keys and mouse make of it. All of it is pure.
+;; What a window shows beside the picture itself: from where, how bright, whether the keys are told;
+;; and what keys and mouse make of it. All of it is pure.
 (require "gestures.rkt")
 
 (provide (struct-out look) first-look look-at-scene look-focused look-press look-move look-release

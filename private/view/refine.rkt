@@ -3,18 +3,19 @@
 ;; more samples. One render continues the film of the one before, so no sample is lost.
 (require racket/flonum "../render/render.rkt" "../render/film.rkt" "../render/job.rkt"
          "../render/passes.rkt" "../render/statistics.rkt" "../render/memory.rkt"
-         "../integrate/integrators.rkt" "../raster/raster.rkt" "../image/image.rkt" "../image/edit.rkt")
+         "../integrate/integrators.rkt" "../raster/raster.rkt" "../image/image.rkt"
+         "../image/edit.rkt")
 
-(provide (struct-out scene) (struct-out shown) now make-ready refine fast-preview next-divisor stage-goal
-         over status-text)
+(provide (struct-out scene) (struct-out shown) now make-ready refine fast-preview next-divisor
+         stage-goal over status-text)
 
-;; What is looked at. samples: the most a pixel gets, or #f; error: the relative RMSE at which it is good
-;; enough, or #f; the rest as for render.
+;; What is looked at. samples: the most a pixel gets, or #f; error: the relative RMSE at which it is
+;; good enough, or #f; the rest as for render.
 (struct scene (world camera width height integrator samples error seed max-depth shading)
   #:transparent)
 
-;; A picture on its way. samples: how many a pixel has, the mean; error: its estimated relative RMSE, #f
-;; where it is not known; seconds: since its camera was there; failed: pixels that could not be
+;; A picture on its way. samples: how many a pixel has, the mean; error: its estimated relative RMSE,
+;; #f where it is not known; seconds: since its camera was there; failed: pixels that could not be
 ;; rendered; done?: whether it stays as it is.
 (struct shown (image samples error seconds failed done?))
 
@@ -27,8 +28,8 @@
 (define PREVIEW-SECONDS 0.1)
 (define COARSEST 4)
 
-;; next-divisor : by what to divide the picture's sides for the next preview, after one with that divisor
-;; took so long.
+;; next-divisor : by what to divide the picture's sides for the next preview, after one with that
+;; divisor took so long.
 (define (next-divisor divisor seconds)
   (cond
     [(and (> seconds (* 1.5 PREVIEW-SECONDS)) (< divisor COARSEST)) (+ divisor 1)]
@@ -64,8 +65,8 @@
 ;; Each later stage makes the error so much smaller: half the variance.
 (define STAGE-FACTOR 0.7)
 
-;; stage-goal : the most samples of a pixel and the error at which the stage ends, as two values; #f and
-;; #f where there is none. stage: from 0. error: what the one before left, or #f.
+;; stage-goal : the most samples of a pixel and the error at which the stage ends, as two values; #f
+;; and #f where there is none. stage: from 0. error: what the one before left, or #f.
 (define (stage-goal stage error most wanted)
   (define least (or wanted 1e-9))
   (cond
@@ -80,9 +81,9 @@
 (define SHOW-SHARE 0.2)
 (define SHOW-SECONDS 0.25)
 
-;; refine : renders what is given in stages and calls show with a shown again and again, from this thread
-;; or another one, a last time with one that is done. under: a picture of the same size, for pixels
-;; without samples. start: when the camera came there, as (now) tells. A break ends it.
+;; refine : renders what is given in stages and calls show with a shown again and again, from this
+;; thread or another one, a last time with one that is done. under: a picture of the same size, for
+;; pixels without samples. start: when the camera came there, as (now) tells. A break ends it.
 (define (refine given under show [start (now)])
   (define most (max 2 (or (scene-samples given) MOST-SAMPLES)))
   (define (tell target failed done? #:error? [error? #t])
@@ -183,10 +184,15 @@
      [else
       (define error (shown-error seen))
       (format "~a samples a pixel, error ~a, ~a s" (decimals samples (if (< samples 10) 1 0))
-              (if error (format "~a%" (decimals (* 100 error) (if (< error 0.1) 2 1))) "not known yet")
+              (cond
+                [error (format "~a%" (decimals (* 100 error) (if (< error 0.1) 2 1)))]
+                [else "not known yet"])
               (decimals (shown-seconds seen) 1))])
    (if (zero? stops) "" (format ", ~a~a stops" (if (positive? stops) "+" "") stops))
-   (if (zero? (shown-failed seen)) "" (format ", ~a pixels could not be rendered" (shown-failed seen)))
+   (case (shown-failed seen)
+     [(0) ""]
+     [(1) ", a pixel could not be rendered"]
+     [else (format ", ~a pixels could not be rendered" (shown-failed seen))])
    (if (and (shown-done? seen) (positive? samples)) ", done" "")))
 
 (define (decimals number places)

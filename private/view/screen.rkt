@@ -1,12 +1,12 @@
 #lang racket/base
 ;; What is on a window's canvas: the picture as large as fits, and the keys over it.
-(require racket/class (only-in racket/draw make-font) "refine.rkt" "look.rkt" "../image/image.rkt" "../image/edit.rkt"
-         "../image/bridge.rkt")
+(require racket/class (only-in racket/draw make-font) "refine.rkt" "look.rkt"
+         "../image/edit.rkt" "../image/bridge.rkt")
 
 (provide visible shown-bitmap place-picture draw-screen focus-text free-name)
 
-;; visible : the picture as it is shown: what is no light in false colours, all at an exposure of so many
-;; stops.
+;; visible : the picture as it is shown: what is no light in false colours, all at an exposure of so
+;; many stops.
 (define (visible seen integrator stops)
   (define image
     (if (and (memq integrator '(cost error)) (positive? (shown-samples seen)))
@@ -16,8 +16,8 @@
 
 (define (shown-bitmap seen integrator stops) (Image->bitmap (visible seen integrator stops)))
 
-;; place-picture : where a picture of that size is in a canvas, as large as it fits there, in its middle:
-;; its left and upper edge, and how many pixels of the canvas one of its own takes.
+;; place-picture : where a picture of that size is in a canvas, as large as it fits there, in its
+;; middle: its left and upper edge, and how many pixels of the canvas one of its own takes.
 (define (place-picture width height canvas-width canvas-height)
   (define scale (min (/ canvas-width width 1.0) (/ canvas-height height 1.0)))
   (values (/ (- canvas-width (* scale width)) 2.0)

@@ -1,6 +1,6 @@
 #lang racket/base
-;; Looking at a world in a window: what is asked is checked here; the window itself, and racket/gui with
-;; it, is loaded only when there is a display.
+;; Looking at a world in a window: what is asked is checked here; the window itself, and racket/gui
+;; with it, is loaded only when there is a display.
 (require racket/lazy-require "refine.rkt" "../world/world.rkt" "../world/camera.rkt"
          "../integrate/integrators.rkt")
 
@@ -8,12 +8,12 @@
 
 (lazy-require ["window.rkt" (window-loaded? look-around)])
 
-;; view : opens a window on the world through the camera and returns, when it is closed, the Camera one
-;; looked through last. The picture is drawn at once by rasterization, then traced with more and more
-;; samples; the mouse moves the camera and keys do more (h shows them). #:width and #:height in pixels.
-;; #:samples the most a pixel gets, or #f; #:error the relative RMSE that is good enough, or #f.
-;; #:integrator, #:seed, #:max-depth and #:shading as for render. Raises exn:fail:user where there is no
-;; display.
+;; view : opens a window on the world through the camera and returns, when it is closed, the Camera
+;; one looked through last. The picture is drawn at once by rasterization, then traced with more and
+;; more samples; the mouse moves the camera and keys do more (h shows them). #:width and #:height in
+;; pixels. #:samples the most a pixel gets, or #f; #:error the relative RMSE that is good enough, or
+;; #f. #:integrator, #:seed, #:max-depth and #:shading as for render. Raises exn:fail:user where there
+;; is no display.
 (define (view world camera #:width [width 640] #:height [height 360] #:samples [samples #f]
               #:error [error #f] #:integrator [integrator 'auto] #:seed [seed 0]
               #:max-depth [max-depth #f] #:shading [shading 'phong])
@@ -37,15 +37,16 @@
   (view-scene (scene world camera width height integrator samples error seed max-depth shading)))
 
 ;; view-scene : the same for a scene. #:name is the window's, and that of pictures it saves. #:reload:
-;; #f, or a procedure that returns the scene read again or raises exn:fail:user. #:files: a procedure that
-;; returns the paths of files after a change of which it is read again.
+;; #f, or a procedure that returns the scene read again or raises exn:fail:user. #:files: a procedure
+;; that returns the paths of files after a change of which it is read again.
 (define (view-scene first #:name [name "view"] #:reload [reload #f] #:files [files (lambda () '())])
   (check-display)
   (look-around first #:name name #:reload reload #:files files))
 
 ;; check-display : raises exn:fail:user with one line where no window can be opened.
 (define (check-display)
-  (when (and (eq? 'unix (system-type)) (not (variable? "DISPLAY")) (not (variable? "WAYLAND_DISPLAY")))
+  (when (and (eq? 'unix (system-type)) (not (variable? "DISPLAY"))
+             (not (variable? "WAYLAND_DISPLAY")))
     (raise-user-error "view needs a display: neither DISPLAY nor WAYLAND_DISPLAY is set"))
   (with-handlers ([exn:missing-module?
                    (lambda (e) (raise-user-error "view needs racket/gui: the package gui-lib"))]

@@ -20,8 +20,8 @@
   (for/or ([(path stamp) (in-hash after)])
     (not (equal? stamp (hash-ref before path stamp)))))
 
-;; watch-files : a thread that calls act whenever some of the files were changed and rest again. files:
-;; a procedure that returns their paths, which may become others.
+;; watch-files : a thread that calls act whenever some of the files were changed and rest again.
+;; files: a procedure that returns their paths, which may become others.
 (define (watch-files files act)
   (thread
    (lambda ()

@@ -1,6 +1,6 @@
 #lang racket/base
-;; The window: draws what the background finds, and tells the look what keys and mouse do. Only this file
-;; loads racket/gui.
+;; The window: draws what the background finds, and tells the look what keys and mouse do. Only this
+;; file loads racket/gui.
 (require racket/class racket/gui/base "refine.rkt" "background.rkt" "look.rkt" "gestures.rkt"
          "screen.rkt" "watch.rkt" "../command/line.rkt" "../world/camera.rkt"
          "../image/write.rkt")
@@ -36,9 +36,12 @@
   '(("Portable network graphics" "*.png") ("Portable pixmap" "*.ppm")
     ("Linear floating point" "*.pfm") ("Radiance" "*.hdr")))
 
-;; Opens the window in the current eventspace, calls finish with the last camera when the user closes it,
-;; and returns a procedure that ends everything. All that is set here is set by the eventspace's own
-;; thread.
+;; How long a message stays that is no error.
+(define MESSAGE-SECONDS 5.0)
+
+;; Opens the window in the current eventspace, calls finish with the last camera when the user closes
+;; it, and returns a procedure that ends everything. All that is set here is set by the eventspace's
+;; own thread.
 (define (open-window first name reload files finish keeper)
   (define out (current-output-port))
   (define errors (current-error-port))
@@ -51,6 +54,7 @@
   (define seen #f)    ; the shown
   (define bitmap #f)  ; of it
   (define message #f) ; told in place of the picture's status, until something else is done
+  (define until #f)   ; or until then, in milliseconds
 
   ;; ------------------------------------------------------------------------------------------------
   ;; Pictures come
@@ -71,13 +75,15 @@
   (define (draw-again!)
     (when seen (set! bitmap (shown-bitmap seen (scene-integrator given) (look-stops now-seen)))))
 
-  (define (fail number e) (in-window (lambda () (tell! (one-line (exn-message e))))))
+  (define (fail number e) (in-window (lambda () (tell! (one-line (exn-message e)) +inf.0))))
 
-  (define (tell! text)
+  (define (tell! text [seconds MESSAGE-SECONDS])
     (set! message text)
+    (set! until (+ (current-inexact-milliseconds) (* 1000.0 seconds)))
     (update!))
 
   (define (update!)
+    (when (and message (> (current-inexact-milliseconds) until)) (set! message #f))
     (send frame set-status-text
           (or message (if seen (status-text seen (look-stops now-seen)) "")))
     (send canvas refresh))
@@ -111,7 +117,7 @@
       (with-handlers ([exn:fail? (lambda (e)
                                    (define text (one-line (exn-message e)))
                                    (fprintf errors "raytrace: ~a\n" text)
-                                   (in-window (lambda () (tell! text)))
+                                   (in-window (lambda () (tell! text +inf.0)))
                                    #f)])
         (reload)))
     (when found

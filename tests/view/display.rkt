@@ -1,6 +1,6 @@
 #lang racket/base
-;; A virtual display for tests: the X server Xvfb, keys and mouse by xdotool, and the screen's pixels, which
-;; the server keeps in a file.
+;; A virtual display for tests: the X server Xvfb, keys and mouse by xdotool, and the screen's pixels,
+;; which the server keeps in a file.
 (provide call-with-display (struct-out display) type-keys mouse find-window screen-part)
 (require racket/file racket/flonum racket/port racket/string "../../private/image/image.rkt"
          "../../private/image/tone.rkt")
@@ -67,8 +67,9 @@
         (xdotool on "mousemove" "--window" window (car step) (cadr step))
         (apply xdotool on step))))
 
-;; screen-part : the window's upper left part of width x height pixels, as an Image. The file is an X window
-;; dump: a header of 32-bit numbers, colours of 12 bytes each, then rows of blue, green, red and a byte.
+;; screen-part : the window's upper left part of width x height pixels, as an Image. The file is an X
+;; window dump: a header of 32-bit numbers, colours of 12 bytes each, then rows of blue, green, red
+;; and a byte.
 (define (screen-part on window width height)
   (define geometry
     (for/hash ([line (in-list (xdotool on "getwindowgeometry" "--shell" window))])

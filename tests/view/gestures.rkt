@@ -3,7 +3,8 @@
 (module+ test
   (require racket/math rackunit raytrace "../../private/view/gestures.rkt")
 
-  (define camera (Camera-look-at (Float3 1 2 6) (Float3 0.5 0.4 0) #:vertical-field-of-view-degrees 40))
+  (define camera (Camera-look-at (Float3 1 2 6) (Float3 0.5 0.4 0)
+                                 #:vertical-field-of-view-degrees 40))
   (define-values (width height) (values 320 200))
   (define focus (Float3 0.5 0.4 0))
   (define up (Float3 0 1 0))
@@ -17,7 +18,8 @@
     (for* ([right '(-90 -7 0 33)] [down '(-20 0 41)])
       (define moved (Camera-dragged camera 'orbit right down width height))
       (check-true (close? (seen-at camera focus) (seen-at moved focus)) (format "~a ~a" right down))
-      (check-= (Float3-distance (Camera-eye moved) focus) (Float3-distance (Camera-eye camera) focus) 1e-9)
+      (check-= (Float3-distance (Camera-eye moved) focus)
+               (Float3-distance (Camera-eye camera) focus) 1e-9)
       (check-= (Float3-dot (Camera-right moved) up) 0.0 1e-12)
       (check-= (Camera-focus-distance moved) (Camera-focus-distance camera) 1e-12)))
 
@@ -57,7 +59,8 @@
       (define turned
         (acos (/ (Float3-dot (Float3-subtract focus (Camera-eye moved))
                              (Float3-subtract focus (Camera-eye near)))
-                 (* (Float3-distance focus (Camera-eye moved)) (Float3-distance focus (Camera-eye near))))))
+                 (* (Float3-distance focus (Camera-eye moved))
+                    (Float3-distance focus (Camera-eye near))))))
       (define pixel
         (if (eq? 'panoramic (vector-ref (struct->vector near) 8))
             (/ pi height)

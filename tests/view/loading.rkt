@@ -44,7 +44,8 @@
       (check-equal? (caddr result) line)
       (define wrong (run-racket "-l" "racket/base" "-l" "raytrace" "-e"
                                 (format "(view ~a ~a #:width 0)" world camera)))
-      (check-regexp-match #rx"^view: expected a whole number from 1 to 100000\n *width: 0" (caddr wrong))))
+      (check-regexp-match #rx"^view: expected a whole number from 1 to 100000\n *width: 0"
+                          (caddr wrong))))
 
   (test-case "a display that is not there: one line"
     (when (eq? 'unix (system-type))
@@ -54,7 +55,8 @@
       (call-with-folder
        (lambda (folder)
          (check-one-line-error
-          (parameterize ([current-environment-variables variables]) (run-command folder "view" "seed"))
+          (parameterize ([current-environment-variables variables])
+            (run-command folder "view" "seed"))
           "view needs a display: " ":9999")))))
 
   (test-case "bad input is told before any window"

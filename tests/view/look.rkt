@@ -9,7 +9,8 @@
   (test-case "a drag goes from where it started, however often it moves, and ends"
     (define pressed (look-press first 'orbit 100 50))
     (define moved
-      (for/fold ([old pressed]) ([x '(110 190 130 160)] [y '(50 51 90 40)]) (look-move old x y 320 200)))
+      (for/fold ([old pressed]) ([x '(110 190 130 160)] [y '(50 51 90 40)]) 
+        (look-move old x y 320 200)))
     (check-equal? (look-camera moved) (Camera-dragged camera 'orbit 60 -10 320 200))
     (define released (look-release moved))
     (check-equal? (look-camera released) (look-camera moved))

@@ -1,5 +1,6 @@
 #lang racket/base
-;; A picture that becomes better: its stages, that it is the picture a render gives, and who is obeyed.
+;; A picture that becomes better: its stages, that it is the picture a render gives, and who is
+;; obeyed.
 (module+ test
   (require racket/file racket/flonum rackunit raytrace "../../private/view/refine.rkt"
            "../../private/view/background.rkt" "../../private/view/watch.rkt"
@@ -25,7 +26,7 @@
   (define (flonums v) (for/list ([x (in-flvector v)]) x))
 
   ;; sums that are added up in other parts: a few units in the last place
-  (test-case "the picture of so many samples is the render's, up to rounding, though it came in stages"
+  (test-case "the picture of so many samples is the render's, up to rounding, though it came in parts"
     (define last (car (refined (scene-of #:samples 8))))
     (define one (render world camera #:width 48 #:height 32 #:samples 8 #:error 1e-9 #:seed 7))
     (for ([a (in-flvector (Image-pixels (shown-image last)))] [b (in-flvector (Image-pixels one))])
@@ -84,7 +85,8 @@
       (status-text (shown black samples error 12.34 0 done?) stops))
     (check-equal? (text 0 #f 0.0 #f) "preview")
     (check-equal? (text 2 #f 0.5 #f) "2.0 samples a pixel, error not known yet, 12.3 s, +0.5 stops")
-    (check-equal? (text 63.7 0.0123 -1.0 #t) "64 samples a pixel, error 1.23%, 12.3 s, -1.0 stops, done")
+    (check-equal? (text 63.7 0.0123 -1.0 #t)
+                  "64 samples a pixel, error 1.23%, 12.3 s, -1.0 stops, done")
     (check-equal? (status-text (shown black 8 0.5 1.0 3 #f) 0.0)
                   "8.0 samples a pixel, error 50.0%, 1.0 s, 3 pixels could not be rendered"))
 

@@ -1,6 +1,6 @@
 #lang racket/base
-;; The window itself, on a virtual display with real keys and a real mouse: what it shows is compared with
-;; renders of the cameras that pure functions tell, and what it prints with these cameras.
+;; The window itself, on a virtual display with real keys and a real mouse: what it shows is compared
+;; with renders of the cameras that pure functions tell, and what it prints with these cameras.
 (module+ test
   (require compiler/find-exe racket/file racket/flonum racket/list racket/port racket/string
            rackunit raytrace "display.rkt" "../../private/view/gestures.rkt"
@@ -35,8 +35,8 @@
     (/ (for/sum ([x (in-flvector xs)] [y (in-flvector ys)])
          (abs (- (sRGB-byte x) (sRGB-byte y))))
        (* 255.0 (flvector-length xs))))
-  ;; What 8 samples a pixel are off here is 0.005 and falls with more; rasterization is off by 0.05, another
-  ;; camera and another colour of the ball by more than twice SAME, as is checked below.
+  ;; What 8 samples a pixel are off here is 0.005 and falls with more; rasterization is off by 0.05,
+  ;; another camera and another colour of the ball by more than twice SAME, as is checked below.
   (define SAME 0.006)
 
   (define told void) ; what is on the standard error of the process that is waited for
@@ -169,7 +169,8 @@
     (check-screen on window first "the picture as it was")
 
     (type-keys on window "h")
-    (wait-for "the keys" (lambda () (> (difference (screen-part on window width height) first) (* 2 SAME))))
+    (wait-for "the keys"
+              (lambda () (> (difference (screen-part on window width height) first) (* 2 SAME))))
     (type-keys on window "h")
     (check-screen on window first "the picture without the keys")
 
@@ -200,7 +201,9 @@
   (define (try-function on folder)
     (define v
       (start on folder "-l" "racket/base" "-l" "raytrace" "-e"
-             (format "(void (print (view (World (list (Sphere (Float3 0 0 0) 1))) ~v #:width 120 #:height 80 #:samples 16)))"
+             (format (string-append
+                      "(void (print (view (World (list (Sphere (Float3 0 0 0) 1))) ~v"
+                      " #:width 120 #:height 80 #:samples 16)))")
                      camera)))
     (define window (wait-for "a window" (lambda () (find-window on "view - raytrace"))))
     (wait-for "its picture"
