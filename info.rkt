@@ -3,7 +3,8 @@
 (define version "0.1")
 (define license '(Apache-2.0 OR MIT))
 (define pkg-desc "A functional ray tracer: pure immutable worlds in, pictures with known error out")
-(define deps '("base" "typed-racket-lib" "typed-racket-more" "draw-lib" "images-lib" "pict-lib"))
+(define deps
+  '("base" "typed-racket-lib" "typed-racket-more" "draw-lib" "gui-lib" "images-lib" "pict-lib"))
 (define build-deps
   '("rackunit-lib" "math-lib" "scribble-lib" "plot-lib" "racket-doc" "sandbox-lib"))
 (define scribblings '(("private/scribblings/raytrace.scrbl" (multi-page) (library))))

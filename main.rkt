@@ -140,6 +140,8 @@
  Images-side-by-side Image-difference Image-compare Comparison? Comparison-rmse Comparison-rmse1
  Comparison-relative-mse Comparison-bias Comparison-psnr Comparison-worst-x Comparison-worst-y
  Comparison-worst-difference Image->flomap flomap->Image Image->bitmap Image->pict show
+ ;; a world in a window
+ view
  ;; worlds and cameras that differ a little
  World-add World-with-shapes World-with-lights World-with-background
  Camera-orbit Camera-dolly Camera-pan

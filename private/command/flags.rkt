@@ -33,6 +33,7 @@
      "  check SCENE    finds what is probably wrong with a scene"
      "  explain SCENE --pixel X,Y"
      "                 tells why a pixel looks as it does: paths, lights, where light comes from"
+     "  view SCENE     shows a scene in a window, where the mouse moves the camera"
      "  merge PART...  joins the parts of a picture that --part rendered")
     (once-each
      [("-o" "--output") ,(text-flag 'output)

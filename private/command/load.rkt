@@ -2,17 +2,20 @@
 ;; Loading a scene: a Racket module anywhere on disk, compiled in memory where it has to be.
 (require "line.rkt" "values.rkt" "../world/world.rkt" "../world/camera.rkt")
 
-(provide load-scene)
+(provide load-scene path-below)
 
 ;; load-scene : the world, the camera and the settings (an empty hash where there are none) that a
 ;; module provides. word: the scene as the user named it. What the scene prints goes to standard
-;; error. Every failure is one line (exn:fail:user) that starts with word.
-(define (load-scene word path)
+;; error. namespace: where modules are that are loaded already. Every failure is one line
+;; (exn:fail:user) that starts with word.
+(define (load-scene word path
+                    #:namespace
+                    [namespace (variable-reference->empty-namespace (#%variable-reference))])
   (define (failed e) (raise-user-error (format "~a: ~a" (place word path e) (reason e))))
   (define (get name otherwise)
     (dynamic-require path name otherwise))
   (define-values (world camera settings)
-    (parameterize ([current-namespace (variable-reference->empty-namespace (#%variable-reference))]
+    (parameterize ([current-namespace namespace]
                    [current-output-port (current-error-port)]
                    [current-command-line-arguments #()]
                    [exit-handler (lambda (code) (raise-user-error "left by (exit)"))])
@@ -62,15 +65,32 @@
     [(exn:srclocs? e) (regexp-replace #px"^\\S+?:\\d+:\\d+: " (exn-message e) "")]
     [else (exn-message e)]))
 
-;; The scene's name, with the line where it went wrong if that is known.
+;; The scene's name, with the line where it went wrong if that is known, or the place in a module
+;; beside or below it.
 (define (place word path e)
   (define locations
-    (append (if (exn:srclocs? e) ((exn:srclocs-accessor e) e) '())
-            (if (exn? e)
-                (map cdr (continuation-mark-set->context (exn-continuation-marks e)))
-                '())))
-  (define line
-    (for/first ([location (in-list locations)]
-                #:when (and location (equal? (srcloc-source location) path)))
-      (srcloc-line location)))
-  (if line (format "~a:~a" word line) word))
+    (filter values
+            (append (if (exn:srclocs? e) ((exn:srclocs-accessor e) e) '())
+                    (if (exn? e)
+                        (map cdr (continuation-mark-set->context (exn-continuation-marks e)))
+                        '()))))
+  (define (line-in right?)
+    (for/first ([location (in-list locations)] #:when (right? (srcloc-source location)))
+      location))
+  (define here (line-in (lambda (source) (equal? source path))))
+  (define-values (folder name must-be-folder?) (split-path path))
+  (define (below source) (and (path? source) (path-below folder source)))
+  (define there (and (not here) (line-in below)))
+  (cond
+    [here (format "~a:~a" word (srcloc-line here))]
+    [there (format "~a: ~a:~a" word (below (srcloc-source there))
+                   (srcloc-line there))]
+    [else word]))
+
+;; path-below : what leads to a file from a folder that it is in, or is below; #f for other files.
+(define (path-below folder file)
+  (let next ([folders (explode-path folder)] [parts (explode-path file)])
+    (cond
+      [(null? folders) (and (pair? parts) (apply build-path parts))]
+      [(and (pair? parts) (equal? (car folders) (car parts))) (next (cdr folders) (cdr parts))]
+      [else #f])))

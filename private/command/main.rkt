@@ -10,7 +10,8 @@
               ["explain.rkt" (explain-pixel)]
               ["check.rkt" (check-scene)]
               ["new.rkt" (new-scene)]
-              ["merge.rkt" (merge-parts)])
+              ["merge.rkt" (merge-parts)]
+              ["view.rkt" (view-command)])
 
 (define program (short-program+command-name))
 
@@ -21,6 +22,7 @@
     [("compare") (compare-pictures (subcommand-name "compare") (cdr words))]
     [("explain") (explain-pixel (subcommand-name "explain") (cdr words))]
     [("check") (check-scene (subcommand-name "check") (cdr words))]
+    [("view") (view-command (subcommand-name "view") (cdr words))]
     [("new") (new-scene (subcommand-name "new") (cdr words))]
     [else
      (define-values (options scene) (parse-render-flags program words))

@@ -24,8 +24,11 @@
 ;; bytes->bitmap : an opaque bitmap% of red, green and blue bytes, top row first.
 (define (bytes->bitmap width height rgb)
   (define argb (make-bytes (* 4 width height) 255))
-  (for ([k (in-range (* width height))])
-    (bytes-copy! argb (+ 1 (* 4 k)) rgb (* 3 k) (* 3 (+ k 1))))
+  ;; three single bytes are copied faster than a range of them
+  (for ([to (in-range 1 (* 4 width height) 4)] [from (in-range 0 (* 3 width height) 3)])
+    (bytes-set! argb to (bytes-ref rgb from))
+    (bytes-set! argb (+ to 1) (bytes-ref rgb (+ from 1)))
+    (bytes-set! argb (+ to 2) (bytes-ref rgb (+ from 2))))
   (define bitmap (make-bitmap width height #f))
   (send bitmap set-argb-pixels 0 0 width height argb)
   bitmap)

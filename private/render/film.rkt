@@ -7,7 +7,8 @@
          Film-want! Film-image Film-squared-error Film-relative-error
          (struct-out Target) Target-image Target-finish!
          TALLY-PLACES tally-version tally-nearest tally-occlusion tally-rejected tally-pixel tally-sample
-         tally-taken tally-failed ERROR-RAYS pixel-places tally-places error-rays tally-failed-place tally-nearest-place tally-occlusion-place Target-version
+         tally-taken tally-failed ERROR-RAYS pixel-places tally-places error-rays tally-failed-place tally-nearest-place tally-occlusion-place
+         tally-taken-place Target-version
          Target-relative-error Target-total Target-first-rejected)
 
 ;; A pixel's places: sums of the first and of the second stream, red green blue each; the sum of the
@@ -139,6 +140,8 @@
 (define tally-nearest-place (tally-nearest))
 (: tally-occlusion-place Fixnum)
 (define tally-occlusion-place (tally-occlusion))
+(: tally-taken-place Fixnum)
+(define tally-taken-place (tally-taken))
 
 ;; A tile's version.
 (: Target-version (-> Target Fixnum Fixnum))
