@@ -25,10 +25,10 @@
 
 (define (value->word value) (if (path? value) value (format "~a" value)))
 
-;; Waits for the end; a command that takes more than a minute is killed and has the code #f.
-(define (finish-command command)
+;; Waits for the end; a command that takes more than so many seconds is killed and has the code #f.
+(define (finish-command command #:seconds [seconds 60])
   (define process (running-process command))
-  (define ended? (sync/timeout 60 process))
+  (define ended? (sync/timeout seconds process))
   (unless ended? (subprocess-kill process #t))
   (for-each thread-wait (running-threads command))
   (outcome (and ended? (subprocess-status process))

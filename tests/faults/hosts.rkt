@@ -2,62 +2,16 @@
 ;; Renders on hosts over ssh, to two nodes of an ssh server on 127.0.0.1 that lives as long as the test:
 ;; a host that is lost and one that comes late change no byte, for a number of samples and for an error.
 (module+ test
-  (require racket/file racket/port racket/string racket/system racket/tcp rackunit
-           "support.rkt" "../command/support.rkt")
+  (require racket/file racket/system rackunit
+           "support.rkt" "ssh-server.rkt" "../command/support.rkt")
 
-  ;; sshd wants to be called by its whole path
-  (define sshd
-    (for/first ([folder (in-list '("/usr/sbin" "/usr/local/sbin" "/sbin"))]
-                #:when (file-exists? (build-path folder "sshd")))
-      (build-path folder "sshd")))
   (check-true (path? sshd) "an ssh server is not installed")
-
-  (define (free-port)
-    (define listener (tcp-listen 0 1 #f "127.0.0.1"))
-    (define-values (here port there other) (tcp-addresses listener #t))
-    (tcp-close listener)
-    port)
-
-  (define (write-script file . lines)
-    (display-lines-to-file (cons "#!/bin/sh" lines) file)
-    (file-or-directory-permissions file #o755))
-
-  ;; Keys, a server and a client that know each other, all in the folder; what stops the server.
-  (define (start-server folder)
-    (define (in-folder name) (path->string (build-path folder name)))
-    (define port (free-port))
-    (for ([key (in-list '("host" "user"))])
-      (system* (find-executable-path "ssh-keygen") "-q" "-t" "ed25519" "-N" "" "-f" (in-folder key)))
-    (copy-file (in-folder "user.pub") (in-folder "authorized"))
-    (display-lines-to-file
-     (list (format "Port ~a" port) "ListenAddress 127.0.0.1" (format "HostKey ~a" (in-folder "host"))
-           (format "AuthorizedKeysFile ~a" (in-folder "authorized"))
-           (format "PidFile ~a" (in-folder "pid")) "StrictModes no" "UsePAM no"
-           "PermitRootLogin yes" "AllowTcpForwarding yes")
-     (in-folder "server"))
-    (display-lines-to-file
-     (list "Host node-*" "HostName 127.0.0.1" (format "Port ~a" port)
-           (format "IdentityFile ~a" (in-folder "user")) "IdentitiesOnly yes"
-           "StrictHostKeyChecking no" (format "UserKnownHostsFile ~a" (in-folder "known")))
-     (in-folder "client"))
-    (make-directory (in-folder "bin"))
-    (write-script (in-folder "bin/ssh")
-                  (format "exec ~a -F ~a \"$@\"" (find-executable-path "ssh") (in-folder "client")))
-    (putenv "PATH" (string-append (in-folder "bin") ":" (getenv "PATH")))
-    (with-handlers ([exn:fail? void]) (make-directory "/run/sshd")) ; root's server asks for it
-    (system* sshd "-f" (in-folder "server") "-E" (in-folder "log"))
-    (lambda ()
-      (system* "/bin/kill" (string-trim (file->string (in-folder "pid"))))))
 
   ;; A node's racket: notes its process, and is there only while the file `open` is.
   (define (write-racket folder node)
-    (define file (build-path folder (string-append node "-racket")))
-    (write-script file
-                  (format "[ -e ~a ] || exit 1" (build-path folder (string-append node "-open")))
-                  (format "echo $$ >> ~a" (build-path folder (string-append node "-started")))
-                  (format "export PLTADDONDIR='~a'" (find-system-path 'addon-dir))
-                  (format "exec ~a \"$@\"" (find-executable-path "racket")))
-    (path->string file))
+    (node-racket folder (string-append node "-racket")
+                 (format "[ -e ~a ] || exit 1" (build-path folder (string-append node "-open")))
+                 (format "echo $$ >> ~a" (build-path folder (string-append node "-started")))))
 
   (define (started folder node)
     (define file (build-path folder (string-append node "-started")))
@@ -72,7 +26,6 @@
   (when sshd
     (call-with-folder
      (lambda (folder)
-       (define stop-server (start-server folder))
        (small-scene folder)
        (define (open! node) (display-to-file "" (build-path folder (string-append node "-open"))))
        (display-lines-to-file
@@ -87,8 +40,8 @@
                                (append small-words words '("--schedule" "sequential" "--quiet"))))
                        0))
 
-       (dynamic-wind
-        void
+       (call-with-ssh-server
+        folder
         (lambda ()
           ;; node-b comes when node-a has worked for a while, and then node-a is lost
           (open! "node-a")
@@ -122,5 +75,4 @@
           (check-refused folder
                          (string-append "hosts:2: expected [user@]host[:port], workers from 1 to 1024, "
                                         "and racket's path, found node-b none")
-                         "balls.rkt" "--schedule" "hosts:hosts"))
-        stop-server)))))
+                         "balls.rkt" "--schedule" "hosts:hosts")))))))

@@ -58,15 +58,15 @@
   (check-true (file-exists? mark))
   (delete-file mark)
 
-  ;; places killed at random moments from their first tile on, in fixed and adaptive renders: 12, or 60
-  ;; with RAYTRACE_STRESS
+  ;; places killed at random moments, half of them while they start, in fixed and adaptive renders: 12,
+  ;; or 60 with RAYTRACE_STRESS
   (define KILLS (if (getenv "RAYTRACE_STRESS") 60 12))
   (fault! "")
   (define random-moments (make-pseudo-random-generator))
   (parameterize ([current-pseudo-random-generator random-moments]) (random-seed 8))
   (define kills 0)
-  (define (kill-some place)
-    (when (< kills KILLS)
+  (define (kill-some place moment)
+    (when (and (< kills KILLS) (eq? moment (if (even? kills) 'started 'ready)))
       (set! kills (+ kills 1))
       (thread (lambda ()
                 (sleep (* 0.2 (random random-moments)))

@@ -12,7 +12,8 @@
 (define (make-host-order job)
   (define scene (and (Job-scene job) (simple-form-path (Job-scene job))))
   (define-values (folder name directory?) (if scene (split-path scene) (values #f #f #f)))
-  (define own? (and scene (equal? (simple-form-path folder) (simple-form-path scenes-folder))))
+  (define own?
+    (and scene (equal? folder (path->directory-path (simple-form-path scenes-folder)))))
   (define bare
     (if scene (Job-with-world job (make-World '() '() (make-Float3 0 0 0))) job))
   (list (value->message bare)

@@ -8,7 +8,7 @@
 
 (define-runtime-path place-worker "place-worker.rkt")
 
-;; Called with each place that is ready for its first tile.
+;; Called with each place, and 'started or, when it is ready for its first tile, 'ready.
 (define place-watch (make-parameter void))
 
 ;; run-places : as run-futures; places that end or stall are replaced.
@@ -35,9 +35,10 @@
           (when (zero? left) (error "worker places end before the first tile"))
           (define fresh (dynamic-place place-worker 'main))
           (set! place fresh)
+          (watch fresh 'started)
           (place-channel-put fresh (list order (desk->list desk)))
           (cond
-            [(pair? (receive fresh #f)) (watch fresh)]
+            [(pair? (receive fresh #f)) (watch fresh 'ready)]
             [else
              (stop!)
              (try (- left 1))])))
