@@ -370,11 +370,5 @@ two. In a clone of the repository this builds it into the folder @filepath{manua
 
 @commandline{raco scribble --htmls +m --dest manual private/scribblings/raytrace.scrbl}
 
-The documentation of an installation can have it too, beside all the rest. Racket builds a manual twice for that, once for
-its links:
-
-@commandline{raco setup --avoid-main --doc-index --pkgs raytrace}
-@commandline{raco docs raytrace}
-
 @(close-eval how-to)
 @(delete-directory/files folder)
