@@ -12,7 +12,8 @@
       "light/sphere.rkt" "light/quad.rkt" "material/lambertian.rkt" "material/dielectric.rkt"
       "material/texture/checker.rkt" "material/texture/image.rkt" "material/texture/noise.rkt"
       "material/texture/noises.rkt" "material/texture/gradient.rkt"
-      "medium/scattering.rkt" "integrate/media.rkt"
+      "material/roughness.rkt" "material/bumped.rkt" "material/metal.rkt"
+      "medium/scattering.rkt" "integrate/media.rkt" "integrate/bump.rkt"
       "integrate/path.rkt" "integrate/seed.rkt" "integrate/emission.rkt" "render/pixel.rkt"))
 
   ;; What the optimizer logs while a file is expanded from its source.

@@ -48,7 +48,9 @@
 (define-syntax step (lambda (stx) #'(fx+ workspace 1)))
 (define-syntax kept-texture-point (lambda (stx) #'(fx+ workspace 2)))
 (define-syntax first-way (lambda (stx) #'(fx+ workspace 5)))
+(define-syntax first-rise (lambda (stx) #'(fx+ workspace 8)))
 (define-syntax second-way (lambda (stx) #'(fx+ workspace 9)))
+(define-syntax second-rise (lambda (stx) #'(fx+ workspace 12)))
 
 ;; Where kept-for-shadow keeps the point and the normal of the hit.
 (define-syntax kept-point (lambda (stx) #'(fx+ kept-for-shadow (fx- surface-point ray-origin))))
@@ -82,10 +84,10 @@
       (look-around! scene height! frame-bitangent second-way r i)
       (restore-hit! r i)
       (Float3-put! r texture-point (Float3-in r kept-texture-point))
-      (let ([a (fl* height (flvector-ref r (fx+ first-way 3)))]
-            [b (fl* height (flvector-ref r (fx+ second-way 3)))])
-        (unless (and (fl= a 0.0) (fl= b 0.0))
-          (tilt-normal! a b r i))))))
+      (flvector-set! r first-rise (fl* height (flvector-ref r first-rise)))
+      (flvector-set! r second-rise (fl* height (flvector-ref r second-rise)))
+      (unless (and (fl= (flvector-ref r first-rise) 0.0) (fl= (flvector-ref r second-rise) 0.0))
+        (tilt-normal! r i)))))
 
 ;; Into the four places at `way`: from the hit to a point a step along that direction, or against it
 ;; where the shape has none there, and by how much the texture shows more than here. Where there is
@@ -120,15 +122,18 @@
 ;; The part of the way to the viewer that a bump shows at least: steeper slopes are not seen.
 (define-syntax-rule (LEAST-COSINE) 0.015625)
 
-;; a, b: how much higher the surface is at the two points. The normal less the slope of the surface is
-;; what the normal would be; where that is turned away from the viewer it is turned back to the limit.
-(: tilt-normal! (-> Flonum Flonum FlVector FxVector Void))
-(define (tilt-normal! a b r i)
+;; From the ways to the two points and how much higher the surface is there: the normal less the slope
+;; of the surface is what the normal would be; where that is turned away from the viewer it is turned
+;; back to the limit.
+(: tilt-normal! (-> FlVector FxVector Void))
+(define (tilt-normal! r i)
   (let-float3 ([n (Float3-in r surface-normal)]
                [first (Float3-cross (Float3-in r second-way) n)]
                [second (Float3-cross n (Float3-in r first-way))]
                [out (Float3-negate (Float3-normalized (Float3-in r ray-direction)))])
-    (let* ([determinant (Float3-dot (Float3-in r first-way) first)]
+    (let* ([a (flvector-ref r first-rise)]
+           [b (flvector-ref r second-rise)]
+           [determinant (Float3-dot (Float3-in r first-way) first)]
            [seen (Float3-dot n out)]
            [side (if (fl< seen 0.0) -1.0 1.0)]
            [least (flmin (LEAST-COSINE) (fl* side seen))])

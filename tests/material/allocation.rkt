@@ -9,7 +9,9 @@
            "../../private/material/mirror.rkt" "../../private/material/metal.rkt"
            "../../private/material/dielectric.rkt" "../../private/material/plastic.rkt"
            "../../private/material/modified-phong.rkt" "../../private/material/phong.rkt"
-           "../../private/material/mix.rkt" "../../private/material/texture/checker.rkt"
+           "../../private/material/mix.rkt" "../../private/material/rough-conductor.rkt"
+           "../../private/material/rough-dielectric.rkt" "../../private/material/bumped.rkt"
+           "../../private/material/texture/checker.rkt"
            "../../private/material/texture/noises.rkt"
            "../../private/material/texture/gradient.rkt" "../../private/material/texture/image.rkt"
            "../../private/image/image.rkt")
@@ -63,6 +65,12 @@
           (cons "GradientTexture" (make-Mirror (make-GradientTexture white grey)))
           (cons "ImageTexture"
                 (make-Lambertian (make-ImageTexture (make-Image 1 2 (make-flvector 6 0.5)))))
+          (cons "roughness by a texture"
+                (make-RoughConductor (make-Checker white grey)))
+          (cons "glass of a texture's roughness"
+                (make-RoughDielectric 1.5 (make-CheckerUV white grey)))
+          (cons "fuzz by a texture" (make-Metal (make-Checker white grey) (make-Noise white grey)))
+          (cons "Bumped" (make-Bumped plastic (make-Noise white grey)))
           (cons "Mix by a texture" (make-Mix glass plastic (make-Turbulence white grey)))))
 
   (for ([material (in-list materials)])

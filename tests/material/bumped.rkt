@@ -175,6 +175,17 @@
         (for ([x (in-flvector (Image-pixels image))])
           (check-true (<= x (+ 1 1e-2)) (format "~a: ~a" name x))))))
 
+  (test-case "bumps allocate next to nothing: less than a box of 16 bytes a sample"
+    (define (bytes samples)
+      (define world
+        (World (list (Sphere black 1 (Bumped (Plastic red) (Noise black white 5)))) '() sky))
+      (define before (current-memory-use 'cumulative))
+      (render world camera #:width 60 #:height 40 #:samples samples #:integrator 'path
+              #:schedule 'sequential)
+      (- (current-memory-use 'cumulative) before))
+    (bytes 4)
+    (check-true (< (/ (- (bytes 64) (bytes 16)) (* 48.0 60 40)) 16.0)))
+
   (test-case "bumps of bumps, inside emitters and interiors; what is refused"
     (define twice (Bumped (Bumped (Mirror) (ramp 0.2) 1) (ramp 0.3) 1))
     (define toward (Float3 0.1 -1 0))
