@@ -1,7 +1,7 @@
 #lang racket/base
 ;; A target of one tile, for workers that cannot be trusted with the picture's: a tile is lent to them
 ;; as it is, and what they return is written to the picture only when it is complete.
-(require racket/flonum "../film.rkt" "../pixel.rkt" "../job.rkt" "../transport.rkt"
+(require racket/flonum net/base64 "../film.rkt" "../pixel.rkt" "../job.rkt" "../transport.rkt"
          "../../world/world.rkt" "../../base/float3.rkt")
 
 (provide make-desk desk-lend! desk-commit! desk-fail! desk->list list->desk desk->bytes bytes->desk!
@@ -100,17 +100,25 @@
 (define (desk->list desk) (list (Target-film desk) (Target-errors desk) (Target-tallies desk)))
 (define (list->desk parts) (apply Target parts))
 
-(define (desk->bytes desk)
-  (define vectors (filter values (desk->list desk)))
+;; What is on the desk, in characters that the connection carries as they are. lent?: only what a worker
+;; has to know, which is no pixel where one pass gives each all of its samples.
+(define (desk->bytes desk lent?)
+  (define vectors (carried desk lent?))
   (define all (make-bytes (* 8 (apply + (map flvector-length vectors)))))
   (for*/fold ([at 0]) ([v (in-list vectors)] [x (in-flvector v)])
     (real->floating-point-bytes x 8 #f all at)
     (+ at 8))
-  all)
+  (base64-encode all #""))
+
+(define (carried desk lent?)
+  (if (and lent? (Target-errors desk))
+      (list (Target-tallies desk))
+      (filter values (desk->list desk))))
 
 ;; Raises exn:fail where there are not as many.
-(define (bytes->desk! desk all)
-  (define vectors (filter values (desk->list desk)))
+(define (bytes->desk! desk text lent?)
+  (define all (base64-decode text))
+  (define vectors (carried desk lent?))
   (unless (= (bytes-length all) (* 8 (apply + (map flvector-length vectors))))
     (error "a tile of another size"))
   (for*/fold ([at 0]) ([v (in-list vectors)] [k (in-range (flvector-length v))])

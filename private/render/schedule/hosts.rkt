@@ -102,12 +102,12 @@
     (define now state)
     (define answer
       (with-handlers ([exn:fail? (lambda (e) 'dead)])
-        ((link-put! now) (list tile (desk->bytes desk)))
+        ((link-put! now) (list tile (desk->bytes desk #t)))
         (sync/timeout seconds (link-answers now)
                       (handle-evt (link-process now) (lambda (e) 'dead)))))
     (cond
       [(and (pair? answer) (eq? (car answer) 'rendered) (eqv? (cadr answer) tile))
-       (bytes->desk! desk (cadddr answer))
+       (bytes->desk! desk (cadddr answer) #f)
        (caddr answer)]
       [else
        (tell (if answer "a worker there is lost" "a worker there stalls"))
