@@ -52,8 +52,9 @@
   (define weigh! (weight-kernel texture))
   (define levels : (Listof Flonum)
     (or few
-        (for/list : (Listof Flonum) ([k : Nonnegative-Integer (in-range (+ 1 (LEVELS)))])
-          (let ([root (fl/ (real->double-flonum k) (fx->fl (LEVELS)))]) (fl* root root)))))
+        (build-list (+ 1 (LEVELS))
+                    (lambda ([k : Index])
+                      (let ([root (fl/ (fx->fl k) (fx->fl (LEVELS)))]) (fl* root root))))))
   (define kernels (map at-roughness levels))
   (define samples
     (list->vector (map MaterialKernel-sample kernels)))

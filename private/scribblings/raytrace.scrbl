@@ -31,3 +31,4 @@ All pictures and numbers printed below a line of code were computed while the ma
 @include-section["pi.scrbl"]
 @;@include-section["reference.scrbl"]
 @include-section["view.scrbl"]
+@include-section["machines.scrbl"]

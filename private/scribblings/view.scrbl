@@ -3,6 +3,7 @@
 @(require (for-label racket/base raytrace))
 
 @title[#:tag "view"]{Looking around in a window}
+@declare-exporting[raytrace]
 
 A window shows a world at once and lets one walk around in it. From the shell it takes a scene, a mesh
 file, or the name of a scene of the package:

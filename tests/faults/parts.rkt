@@ -1,11 +1,11 @@
 #lang racket/base
-;; Parts of a picture, rendered by the README's lines for GNU parallel, xargs and Slurm and merged, are
+;; Parts of a picture, rendered by the manual's lines for GNU parallel, xargs and Slurm and merged, are
 ;; the undivided picture to the byte; what does not belong together or is missing is named.
 (module+ test
   (require compiler/find-exe racket/file racket/list racket/port racket/runtime-path racket/string
            racket/system rackunit
            "support.rkt" "ssh-server.rkt" "../command/support.rkt")
-  (define-runtime-path readme "../../README.md")
+  (define-runtime-path manual "../../private/scribblings/machines.scrbl")
 
   (define parallel (find-executable-path "parallel"))
   (check-true (path? parallel) "GNU parallel is not installed")
@@ -18,10 +18,10 @@
      (define (run . words) (apply run-command folder words))
      (check-equal? (outcome-code (apply run (append settings '("-o" "whole.pfm")))) 0)
 
-     ;; the README's lines, of a smaller picture and in fewer parts; nobody has to have a cluster
+     ;; the manual's lines, of a smaller picture and in fewer parts; nobody has to have a cluster
      (define lines
        (filter (lambda (line) (regexp-match? #rx"^(parallel|seq|sbatch) |^raco raytrace merge " line))
-               (file->lines readme)))
+               (file->lines manual)))
      (check-equal? (length lines) 4)
      (define (smaller line)
        (for/fold ([line line]) ([change (in-list '(("weekend --samples 1024"

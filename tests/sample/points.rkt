@@ -85,4 +85,5 @@
 (define (unrotated-r2-pairs count)
   (collect count
            (lambda ([r : FlVector] [i : FxVector] [k : Fixnum])
-             (put-rotated-r2! r k 0 0))))
+             (flvector-set! r sample-u (rotated-r2-u k 0))
+             (flvector-set! r sample-v (rotated-r2-v k 0)))))
