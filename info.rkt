@@ -11,4 +11,5 @@
 (define raco-commands
   '(("raytrace" raytrace/private/command/main "render a scene to a picture" #f)))
 (define test-include-paths '("tests"))
+(define pre-install-collection "private/install.rkt")
 (define compile-omit-paths '("tests"))
