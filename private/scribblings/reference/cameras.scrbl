@@ -7,7 +7,7 @@
 @declare-exporting[raytrace]
 
 A camera does not know how many pixels its picture has: @racket[render] keeps the height of the view
-and makes it as wide as the picture needs. Messages of all these functions are
+and makes it as wide as the picture needs. Arguments that do not fit raise
 @racket[exn:fail:contract].
 
 @section[#:tag "reference-cameras-make"]{Making a camera}
@@ -235,7 +235,8 @@ Viewing Frustum Planes from the World-View-Projection Matrix'', 2001.}
 The eight corners of what is seen, in eye space: four near, four far, each time left bottom, right
 bottom, left top, right top. Raises where a perspective has an infinite far distance.}
 
-@defproc[(Transform-viewport [width (integer-in 1 100000)] [height (integer-in 1 100000)]) Transform?]{
+@defproc[(Transform-viewport [width (integer-in 1 100000)]
+                             [height (integer-in 1 100000)]) Transform?]{
 From device coordinates to a picture: x and y in pixels from the left and the top edge, and depth
 from 0, near, to 1, far.}
 
@@ -244,7 +245,7 @@ from 0, near, to 1, far.}
   (Projection-perspective #:vertical-field-of-view-degrees 90 #:aspect 1 #:near 1 #:far 3))
 (define far-middle (Projection-point projection (Float3 0 0 -3)))
 far-middle                                                   (code:comment "(Float3 0.0 0.0 1.0)")
-(Transform-point (Transform-viewport 640 360) far-middle)    (code:comment "x 320, y 180, depth 1")
+(Transform-point (Transform-viewport 640 360) far-middle)   (code:comment "x 320, y 180, depth 1")
 (length (Projection-clip-planes projection))                 (code:comment "6")
 (length (Projection-frustum-corners projection))             (code:comment "8")
 ]

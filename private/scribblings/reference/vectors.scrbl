@@ -116,8 +116,9 @@ The point at the parameter @racket[t]: the ray's point plus @racket[t] times its
 direction is a unit vector, @racket[t] is a distance in world units.}
 
 @defproc[(Intersection [t real?] [point Float3?] [normal Float3?] [color Float3?]) Intersection?]{
-What a ray meets: the parameter on the ray, the point, the unit normal, and the colour of the
-material. The ranges are not checked; queries such as @racket[World-nearest-hit] make these values.}
+What a ray meets: the parameter on the ray, the point, the unit normal, and one colour that stands
+for the material, as @racket[Shape-intersect] says. The ranges are not checked; queries such as
+@racket[World-nearest-hit] make these values.}
 
 @deftogether[(@defproc[(Intersection? [v any/c]) boolean?]
               @defproc[(Intersection-t [hit Intersection?]) flonum?]
