@@ -258,9 +258,9 @@ Its parts.}
 What is in @racket[a] or in @racket[b]; in both; and in @racket[a] but not in @racket[b]. Each part
 of the surface has the material of the shape it comes from, unless @racket[material] replaces them.
 Both have to be closed: planes, disks, quads, triangles, and cylinders and cones without caps raise,
-alone or inside of others; other shapes are taken as closed. The shapes of a group must not overlap. A tree of
-solids has at most 48 shapes. A part that shines is found by scattered rays alone. The method is that
-of Roth, ``Ray Casting for Modeling Solids'', 1982.}
+alone or inside of others; other shapes are taken as closed. The shapes of a group must not overlap.
+A tree of solids has at most 48 shapes. A part that shines is found by scattered rays alone. The
+method is that of Roth, ``Ray Casting for Modeling Solids'', 1982.}
 
 @deftogether[(@defproc[(SolidUnion? [v any/c]) boolean?]
               @defproc[(SolidIntersection? [v any/c]) boolean?]
