@@ -182,9 +182,9 @@ The predicate.}
 @defproc[(FunctionTexture [function (-> Float3? flonum? flonum? Float3?)]) FunctionTexture?]{
 The colour that @racket[function] gives for a point, in the space that the shape is made in, and the
 coordinates u and v. The function must be pure: it is called in any order, and more than once for a
-pixel. A world with one cannot be sent to places or hosts; the schedules @racket['sequential] and
-@racket['futures] of @racket[render] take it. A sample for which it raises an exception, or gives
-something else than a @racket[Float3], has failed: see @racket[#:strict] at @racket[render].}
+pixel. Workers in other processes cannot be sent a function, they load the scene's module instead:
+see @racket[#:scene] at @racket[render]. A sample for which it raises an exception, or gives
+something else than a @racket[Float3], has failed: see @racket[#:strict?] at @racket[render].}
 
 @deftogether[(@defproc[(FunctionTexture? [value any/c]) boolean?]
               @defproc[(FunctionTexture-function [texture FunctionTexture?])
