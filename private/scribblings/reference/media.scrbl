@@ -36,21 +36,19 @@ A medium. The last three may also be given by place, in this order after the oth
 
 @itemlist[
 @item{@racket[extinction] is what fades, one over the world unit: light falls as the exponential of
- -@racket[extinction] times the distance, and goes 1/@racket[extinction] on average before it meets something.
- A number fades all colours alike; a linear RGB colour, with finite components of at least 0, each as it
- says.}
+ -@racket[extinction] times the distance, and goes 1/@racket[extinction] on average before it meets
+ something. A number fades all colours alike; a linear RGB colour, with finite components of at
+ least 0, each as it says.}
 @item{@racket[albedo] is the part of what is lost that is scattered and not absorbed, linear RGB with
  components from 0 (all is absorbed) to 1 (nothing is).}
 @item{@racket[anisotropy] is the mean cosine of the angle by which scattered light is turned: from
--0.999
- (back) over 0 (all directions alike) to 0.999 (straight on). The phase function is that of L. G. Henyey and
- J. L. Greenstein, @italic{Diffuse radiation in the Galaxy} (1941).}
+ -0.999 (back) over 0 (all directions alike) to 0.999 (straight on). The phase function is that of
+ L. G. Henyey and J. L. Greenstein, @italic{Diffuse radiation in the Galaxy} (1941).}
 @item{@racket[density] is a pure function from a point to a number from 0 to @racket[majorant], by
-which the
- extinction is multiplied there; what is more counts as @racket[majorant], what is less than 0 or not a
- number as 0. @racket[#f] is 1 everywhere. A medium with a density fills shapes, not the world. A world
- with one cannot be sent to places or hosts unless they load its scene: see @racket[#:scene] at
- @racket[render].}
+ which the extinction is multiplied there; what is more counts as @racket[majorant], what is less
+ than 0 or not a number as 0. @racket[#f] is 1 everywhere. A medium with a density fills shapes, not
+ the world. A world with one cannot be sent to places or hosts unless they load its scene: see
+ @racket[#:scene] at @racket[render].}
 @item{@racket[majorant] is what the density nowhere exceeds, positive and finite. The tighter it is,
 the faster
  the render.}]

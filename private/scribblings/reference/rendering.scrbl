@@ -1,6 +1,7 @@
 #lang scribble/manual
 @; From a world and a camera to a picture, and why a pixel of it looks as it does.
-@(require (for-label racket/base racket/contract/base racket/math raytrace))
+@(require (for-label racket/base racket/contract/base racket/math
+                     (only-in racket/future processor-count) raytrace))
 @title[#:tag "reference-rendering"]{Rendering}
 @declare-exporting[raytrace]
 
@@ -79,9 +80,8 @@ light and
 a grey, the
  root of the mean square of its channels'. It needs at least 2 samples.}
 @item{@racket['raster]: a picture without rays, as @racket[preview] draws it, with
-@racket[#:samples] from 1
- to 64, of which @racket[#f] is 4, and @racket[#:shading] as there. It takes neither @racket[#:error] nor
- @racket[#:seconds].}]
+ @racket[#:samples] from 1 to 64, of which @racket[#f] is 4, and @racket[#:shading] as there. It
+ takes neither @racket[#:error] nor @racket[#:seconds].}]
 
 @racket[#:max-depth] is the most bounces of a path: 0 is light seen directly, 1 adds light reflected
 once. @racket[#f] is no limit; paths then end by Russian roulette (J. Arvo and D. Kirk, 1990). It
@@ -142,11 +142,10 @@ The picture at once, by rasterization: without shadows, reflections of other sur
 
 @itemlist[
 @item{@racket[shading]: @racket['phong] for normals interpolated between corners, @racket['gouraud]
-for
- colours, @racket['flat] for one colour a triangle, @racket['toon] for steps with an outline,
- @racket['wireframe] for all edges, @racket['hidden-lines] for those that no surface hides, or the views
- @racket['normals], @racket['depth] and @racket['texture-coordinates]. A list draws as many pictures side by
- side, which share the width.}
+ for colours, @racket['flat] for one colour a triangle, @racket['toon] for steps with an outline,
+ @racket['wireframe] for all edges, @racket['hidden-lines] for those that no surface hides, or the
+ views @racket['normals], @racket['depth] and @racket['texture-coordinates]. A list draws as many
+ pictures side by side, which share the width.}
 @item{@racket[samples]: how many points of a pixel decide what covers it.}
 @item{@racket[tolerance]: how far, in pixels, the triangles may be seen from a curved surface.}
 @item{@racket[faces]: the triangles that are drawn: those seen from outside, @racket['front], from
