@@ -53,12 +53,11 @@ A medium. The last three may also be given by place, in this order after the oth
 the faster
  the render.}]
 
-Distances are chosen by tracking with colour-dependent chances (P. Kutz and others, @italic{Spectral
-and Decomposition Tracking}, 2017), the light left along a shadow ray in a varying density by ratio
-tracking
-(J. Novák, A. Selle and W. Jarosz, 2014), and points near lamps by their angle from the lamp (C. Kulla
-and M. Fajardo, @italic{Importance Sampling Techniques for Path Tracing in Participating Media},
-2012).
+Distances are chosen by tracking with colour-dependent chances (P. Kutz and others,
+@italic{Spectral and Decomposition Tracking}, 2017), the light left along a shadow ray in a
+varying density by ratio tracking (J. Novák, A. Selle and W. Jarosz, 2014), and points near lamps
+by their angle from the lamp (C. Kulla and M. Fajardo, @italic{Importance Sampling Techniques for
+Path Tracing in Participating Media}, 2012).
 
 A @racket[PointLight] or @racket[SpotLight] deep in a dense medium leaves single bright pixels, for
 the light scattered twice near it is unbounded with a finite mean; more samples thin them out, and a
