@@ -128,11 +128,11 @@ takes @tt{--size}, @tt{--samples} (the most, by default 65536), @tt{--error} (wh
 by default nothing is), @tt{--seed}, @tt{--integrator}, @tt{--shading} and @tt{--max-depth}, with
 ranges and defaults as above. See @secref["view"].
 
-@tt{raco raytrace check SCENE} tells in a line each what is probably a mistake in a @filepath{.rkt}
-scene, as @racket[World-problems] does. It takes no flags but @tt{--help}, and ends with exit code 1
-where there is something to tell.
+@tt{raco raytrace check SCENE} tells in a line each what is probably a mistake in a scene that is no
+mesh file, as @racket[World-problems] does. It takes no flags but @tt{--help}, and ends with exit
+code 1 where there is something to tell.
 
-@tt{raco raytrace explain SCENE --pixel X,Y} tells how a pixel of a @filepath{.rkt} scene comes
+@tt{raco raytrace explain SCENE --pixel X,Y} tells how a pixel of a scene that is no mesh file comes
 about, as @racket[explain] does. @tt{--pixel X,Y}, column and row from 0,0 at the upper left, is
 required. @tt{--paths N}, at least 1 and by default 4, is how many paths are told, those that bring
 most. It takes @tt{--size}, @tt{--samples} (up to 1000000), @tt{--seed}, @tt{--sampler},

@@ -50,8 +50,7 @@ A medium. The last three may also be given by place, in this order after the oth
  the world. A world with one cannot be sent to places or hosts unless they load its scene: see
  @racket[#:scene] at @racket[render].}
 @item{@racket[majorant] is what the density nowhere exceeds, positive and finite. The tighter it is,
-the faster
- the render.}]
+ the faster the render.}]
 
 Distances are chosen by tracking with colour-dependent chances (P. Kutz and others,
 @italic{Spectral and Decomposition Tracking}, 2017), the light left along a shadow ray in a

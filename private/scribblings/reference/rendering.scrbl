@@ -61,23 +61,23 @@ either, @racket[#:samples] is the most that a pixel gets, and @racket[#f] is 655
 
 @itemlist[
 @item{@racket['auto]: @racket['seed] where all materials are @racket[Phong] or @racket[Emitter] and
-no medium
+ no medium
  fills the world, else @racket['path].}
 @item{@racket['path]: path tracing (J. T. Kajiya, 1986), with lights and materials both sampled at
-every
+ every
  vertex and weighted by the power heuristic (E. Veach, 1997).}
 @item{@racket['naive-path]: paths that find lights by chance, as in the three books, for comparison.
-Lights
+ Lights
  without an area are never found.}
 @item{@racket['seed]: the article's shading, with ambient light under occlusion, Phong's diffuse
-light and
+ light and
  highlight, and mirrors. The keywords of @racket[World] set its numbers.}
 @item{@racket['ambient-occlusion]: the share of the hemisphere that nothing near hides, as a grey.}
 @item{@racket['normals]: the normal towards the viewer, each component from -1 to 1 shown as 0 to 1.}
 @item{@racket['depth]: the distance along the ray in world units, as a grey; 0 where nothing is hit.}
 @item{@racket['cost]: how many rays a sample of the pixel took, as a grey.}
 @item{@racket['error]: the standard error of the pixel in the picture that @racket['auto] makes, as
-a grey, the
+ a grey, the
  root of the mean square of its channels'. It needs at least 2 samples.}
 @item{@racket['raster]: a picture without rays, as @racket[preview] draws it, with
  @racket[#:samples] from 1 to 64, of which @racket[#f] is 4, and @racket[#:shading] as there. It
@@ -92,13 +92,13 @@ of
 
 @itemlist[
 @item{@racket['owen-sobol]: Sobol's points, scrambled by hashes (B. Burley, @italic{Practical
-Hash-based Owen
+ Hash-based Owen
  Scrambling}, 2020). Best at powers of two.}
 @item{@racket['independent]: numbers that have nothing to do with each other.}
 @item{@racket['stratified]: one point anywhere in each cell of a grid as square as the number of
-samples allows.}
+ samples allows.}
 @item{@racket['r2]: the sequence of the generalised golden ratio (M. Roberts, 2018), rotated by the
-seed.}]
+ seed.}]
 
 @racket[#:filter] is how a pixel weighs what falls near it. Its samples are drawn with the filter as
 their density (M. Ernst, M. Stamminger and G. Greiner, 2006), so that a pixel's samples remain its
@@ -149,10 +149,10 @@ The picture at once, by rasterization: without shadows, reflections of other sur
 @item{@racket[samples]: how many points of a pixel decide what covers it.}
 @item{@racket[tolerance]: how far, in pixels, the triangles may be seen from a curved surface.}
 @item{@racket[faces]: the triangles that are drawn: those seen from outside, @racket['front], from
-inside,
+ inside,
  @racket['back], or all.}
 @item{@racket[fog-density]: light from a surface at distance @italic{d} loses all but the
-exponential of
+ exponential of
  -@racket[fog-density] @italic{d} of itself to @racket[fog-color].}
 @item{@racket[crop]: x, y, width and height in pixels of the part that is drawn.}]
 

@@ -42,18 +42,18 @@ and mean nothing to paths:
 
 @itemlist[
 @item{@racket[ambient-color]: light from everywhere, linear RGB. @racket[#f] takes the background's
-mean
+ mean
  colour. Black costs no rays.}
 @item{@racket[ambient-samples]: how many occlusion rays a point sends; 0 for none, when all ambient
-light
+ light
  arrives.}
 @item{@racket[distance]: in world units, or infinite; what is farther does not occlude.}
 @item{@racket[weighting]: whether occlusion rays are uniform over the hemisphere or go by the cosine.}
 @item{@racket[falloff]: whether a hit counts by its share of the distance, @racket['linear], or as
-dark,
+ dark,
  @racket['binary].}
 @item{@racket[shadow-samples]: rays to each light that has an area, at each point; lights without
-one take
+ one take
  one ray. 0 for no shadows.}
 @item{@racket[mirror-bounces]: how many mirrors a ray follows.}]
 
