@@ -11,7 +11,7 @@
 
 (define (check-scene program words)
   (define word (parse-words program words flags '("scene") (lambda (settings scene) scene)))
-  (define-values (world camera settings) (load-scene word (find-scene word)))
+  (define-values (world camera settings) (load-world word (find-scene word)))
   (define problems
     (with-handlers ([exn:fail? (lambda (e)
                                  (raise-user-error (format "~a: ~a" word (exn-message e))))])

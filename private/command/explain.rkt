@@ -40,7 +40,7 @@
     (hash-ref options 'pixel
               (lambda ()
                 (raise-user-error "--pixel: expected the pixel to explain, as in --pixel 200,100"))))
-  (define-values (world camera settings) (load-scene word (find-scene word)))
+  (define-values (world camera settings) (load-world word (find-scene word)))
   (define (option key default)
     (hash-ref options key (lambda () (hash-ref settings key default))))
   (define size (option 'size '(640 360)))

@@ -1,8 +1,16 @@
 #lang racket/base
 ;; Loading a scene: a Racket module anywhere on disk, compiled in memory where it has to be.
-(require "line.rkt" "values.rkt" "../world/world.rkt" "../world/camera.rkt")
+(require racket/lazy-require
+         "line.rkt" "values.rkt" "scenes.rkt" "../world/world.rkt" "../world/camera.rkt")
 
-(provide load-scene path-below)
+(provide load-world load-scene path-below)
+
+(lazy-require ["studio.rkt" (load-studio)])
+
+;; load-world : the world, the camera and the settings of a scene or a mesh file. show?: whether the
+;; reading of a mesh shows its progress.
+(define (load-world word path [show? #f])
+  (if (mesh-file? path) (load-studio path show?) (load-scene word path)))
 
 ;; load-scene : the world, the camera and the settings (an empty hash where there are none) that a
 ;; module provides. word: the scene as the user named it. What the scene prints goes to standard

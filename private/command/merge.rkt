@@ -19,6 +19,8 @@
   (define-values (output paths)
     (parse-words program words flags '("part" "more parts ...")
                  (lambda (output . paths) (values (and (pair? output) (car output)) paths))))
+  (when (null? paths)
+    (raise-user-error "merge: expected the files of all parts of a picture"))
   (define heads (for/list ([path (in-list paths)]) (part-header path)))
   (define first-head (car heads))
   (define settings (header-settings first-head))

@@ -6,8 +6,7 @@
          "../render/render.rkt" "../render/statistics.rkt" "../image/image.rkt"
          "../image/write.rkt")
 
-(lazy-require ["studio.rkt" (load-studio)]
-              ["needs.rkt" (scene-needs)]
+(lazy-require ["needs.rkt" (scene-needs)]
               ["../image/edit.rkt" (Image-false-color)]
               ["../render/schedule/hosts.rkt" (read-hosts)]
               ["keeper.rkt" (render-settings make-keeper write-part)])
@@ -47,7 +46,7 @@
   (when (and (hash-ref options 'preview #f) (not terminal?) (not quiet?))
     (eprintf "raytrace: --preview: standard error is no terminal, there is no preview\n"))
   (define-values (world camera settings)
-    (if (mesh-file? path) (load-studio path show?) (load-scene word path)))
+    (load-world word path show?))
   (define (option key default)
     (hash-ref options key (lambda () (hash-ref settings key default))))
   (define (named-option key default names)
@@ -119,7 +118,7 @@
         (render/statistics world camera #:width (car size) #:height (cadr size)
                            #:samples samples #:error error #:seconds seconds
                            #:seed seed #:crop crop #:sampler sampler #:filter filter
-                           #:integrator integrator #:max-depth max-depth
+                           #:integrator integrator #:shading shading #:max-depth max-depth
                            #:schedule schedule #:workers workers #:tile tile
                            #:hosts hosts #:strict? (hash-ref options 'strict #f)
                            #:scene (and (not (mesh-file? path)) path)

@@ -1,11 +1,12 @@
 #lang typed/racket/base
 ;; Mix: two materials at once, as dust on glass or a worn coat of paint; mixes may be mixed again.
 ;; weight: the part of the second, from 0 to 1, or a texture whose luminance is; the first has the
-;; rest. Neither may be an emitter, nor bumped: the mix itself may be.
+;; rest. Neither may be an emitter, nor bumped, nor bound a medium: the mix itself
+;; may be bumped.
 (require (for-syntax racket/base)
          "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/check.rkt"
          "../base/public.rkt" "../sample/sampler.rkt"
-         "material.rkt" "emitter.rkt" "bumped.rkt" "kernel.rkt" "scatter.rkt"
+         "material.rkt" "emitter.rkt" "bumped.rkt" "interior.rkt" "kernel.rkt" "scatter.rkt"
          "texture/texture.rkt" "texture/kernels.rkt")
 
 (provide (struct-out Mix) make-Mix Mix-kernel)
@@ -20,7 +21,9 @@
     (when (Emitter? material)
       (raise-expected 'Mix argument "a material that reflects" material))
     (when (Bumped? material)
-      (raise-expected 'Mix argument "a material that is not bumped itself" material)))
+      (raise-expected 'Mix argument "a material that is not bumped itself" material))
+    (when (Interior? material)
+      (raise-expected 'Mix argument "a material that bounds no medium" material)))
   (define mix
     (Mix first second (if (real? weight) (check-between 'Mix "weight" weight 0.0 1.0) weight)))
   (define-values (parts choices) (Mix-parts mix 1.0 0))

@@ -13,6 +13,7 @@
                   Scene-background-light)
          (only-in "../integrate/observe.rkt" World-observed PLACES)
          (only-in "../integrate/integrators.rkt" check-integrator)
+         (only-in "../sample/filter.rkt" check-filter)
          (only-in "../image/image.rkt" Image-pixels Image-standard-error)
          "job.rkt" "film.rkt" (only-in "pixel.rkt" Tiling))
 
@@ -83,6 +84,8 @@
   (check-whole "samples" samples 1 1000000)
   (check-whole "seed" seed 0 #xFFFFFFFF)
   (check-integrator integrator)
+  (check-filter filter)
+  (when max-depth (check-whole "max-depth" max-depth 0 1000000000))
   (define recorder (make-recorder world))
   (define job
     (Job (World-observed world (recorder-see recorder)) camera

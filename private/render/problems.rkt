@@ -30,6 +30,8 @@
                         #:aspect [aspect 16/9])
   (unless (World? world) (raise-expected 'World-problems "world" "a World" world))
   (unless (Camera? camera) (raise-expected 'World-problems "camera" "a Camera" camera))
+  (unless (and (real? aspect) (< 0 aspect +inf.0))
+    (raise-expected 'World-problems "aspect" "a positive finite number" aspect))
   (define bodies (for/list ([shape (in-list (World-shapes world))]) (body shape (shape-box shape))))
   (define dark (no-light world))
   (define enclosed (append (enclosed-camera bodies camera) (enclosed-lights bodies world camera)))

@@ -81,7 +81,7 @@
                        #:error error #:seconds seconds #:seed seed #:sampler sampler
                        #:filter filter #:integrator integrator #:max-depth max-depth
                        #:schedule schedule #:workers workers #:tile tile #:crop crop
-                       #:strict? strict? #:scene scene #:hosts hosts))
+                       #:shading shading #:strict? strict? #:scene scene #:hosts hosts))
   (define errors (Image-standard-error image))
   (unpin (Image-pixels image))
   (when errors (unpin errors))

@@ -15,7 +15,8 @@ is a pure function of them, and tells how exact it is. This manual has four kind
 @item{@secref["accuracy"], @secref["inside"] and @secref["seed-and-books"] tell how exact the pictures are,
 how they are made, and where ideas of articles and books are found here. @secref["spaces"] and
 @secref["pi"] explain one idea each, with numbers.}
-@item{The reference tells all of every name: arguments and their ranges, units, errors, sources.}
+@item{@secref["reference"] tells all of every name: arguments and their ranges, units, errors, sources.
+@secref["view"] and @secref["machines"] are about the window and about long renders.}
 ]
 
 All pictures and numbers printed below a line of code were computed while the manual was built.
@@ -29,6 +30,6 @@ All pictures and numbers printed below a line of code were computed while the ma
 @include-section["seed-and-books.scrbl"]
 @include-section["spaces.scrbl"]
 @include-section["pi.scrbl"]
-@;@include-section["reference.scrbl"]
+@include-section["reference.scrbl"]
 @include-section["view.scrbl"]
 @include-section["machines.scrbl"]

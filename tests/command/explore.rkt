@@ -43,6 +43,24 @@
        (check-regexp-match #rx"^away.rkt: the camera sees no shape: [^\n]+\n$" (output-text result))
        (check-one-line-error (run-command folder "check" "nowhere.rkt") "nowhere.rkt"))))
 
+  (test-case "check and explain of a mesh file; the shading that is asked for; no parts to merge"
+    (call-with-folder
+     (lambda (folder)
+       (write-scene folder "roof.obj" "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+       (define checked (run-command folder "check" "roof.obj"))
+       (check-equal? (list (outcome-code checked) (outcome-errors checked)) '(0 ""))
+       (define told (run-command folder "explain" "roof.obj" "--pixel" "5,5" "--size" "16x9" "--samples" 2))
+       (check-equal? (outcome-code told) 0 (outcome-errors told))
+       (write-scene folder "ball.rkt" (scene-text))
+       (define (drawn shading)
+         (define file (string-append shading ".pfm"))
+         (check-equal? (outcome-code (run-command folder "ball.rkt" "-o" file "--size" "20x20" "--quiet"
+                                                  "--integrator" "raster" "--shading" shading))
+                       0)
+         (file->bytes (build-path folder file)))
+       (check-false (equal? (drawn "phong") (drawn "normals")))
+       (check-one-line-error (run-command folder "merge") "merge: expected the files of all parts"))))
+
   (test-case "explain: the pixel of the render with the same flags"
     (call-with-folder
      (lambda (folder)

@@ -7,7 +7,8 @@
            "../../private/material/lambertian.rkt" "../../private/material/mirror.rkt"
            "../../private/material/metal.rkt" "../../private/material/dielectric.rkt"
            "../../private/material/plastic.rkt" "../../private/material/modified-phong.rkt"
-           "../../private/material/emitter.rkt" "../../private/material/kernel.rkt")
+           "../../private/material/emitter.rkt" "../../private/material/interior.rkt"
+           "../../private/medium/medium.rkt" "../../private/material/kernel.rkt")
 
   (define red (make-Lambertian (make-Float3 0.8 0.1 0.1)))
   (define shiny (make-ModifiedPhong (make-Float3 0 0.2 0.4) (make-Float3 0.5 0.5 0.5) 40))
@@ -92,4 +93,6 @@
     (check-exn #rx"^Mix: expected a number from 0.0 to 1.0 as weight"
                (lambda () (make-Mix red glass 1.5)))
     (check-exn #rx"^Mix: expected a material that reflects as second"
-               (lambda () (make-Mix red (make-Emitter (make-Float3 1 1 1)) 0.5)))))
+               (lambda () (make-Mix red (make-Emitter (make-Float3 1 1 1)) 0.5)))
+    (check-exn #rx"^Mix: expected a material that bounds no medium as first"
+               (lambda () (make-Mix (make-Interior (make-Medium 1 (make-Float3 1 1 1))) red 0.5)))))

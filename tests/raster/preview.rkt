@@ -168,6 +168,13 @@
       (check-true (> (length (remove-duplicates (for*/list ([y 36] [x 64]) (pixel image x y)))) 2)
                   (format "~a ~a" (car scene) shading))))
 
+  (test-case "render with the integrator raster is preview, to the bit, whatever the shading"
+    (for ([shading '(phong flat normals (toon depth))])
+      (check-equal? (Image-pixels (render shapes ahead #:integrator 'raster #:shading shading
+                                          #:width 64 #:height 36))
+                    (Image-pixels (preview shapes ahead #:shading shading #:width 64 #:height 36))
+                    (format "~a" shading))))
+
   (test-case "an empty world is its background; what is wrong is refused"
     (check-equal? (pixel (draw (World '() '() (Float3 0.1 0.2 0.3)) ahead) 5 5) '(0.1 0.2 0.3))
     (check-equal? (pixel (draw (World '() '() (Float3 0.1 0.2 0.3))

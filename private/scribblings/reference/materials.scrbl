@@ -218,7 +218,7 @@ Its parts.}
 @defproc[(Mix [first Material?] [second Material?] [weight (or/c (real-in 0 1) Texture?)]) Mix?]{
 Two materials at once, as dust on glass or a worn coat of paint. The weight is the part of the
 second. Mixes may be mixed again, of at most eight materials where a texture is a weight. Neither may
-shine or be bumped; the mix itself may be bumped. An @racket[Interior] in a mix fills nothing.}
+shine, be bumped or bound a medium; the mix itself may be bumped.}
 
 @deftogether[(@defproc[(Mix? [v any/c]) boolean?]
               @defproc[(Mix-first [material Mix?]) Material?]
