@@ -25,7 +25,7 @@
 (define render-flags
   `((usage-help
      "Renders <scene>: a Racket module that provides `world` and `camera`, and perhaps `settings`,"
-     "given as a .rkt file or as the name of a scene of this package."
+     "given as a .rkt file or as the name of a scene of this package; or a mesh, .obj, .ply or .stl."
      "Or, in place of <scene> and options:"
      "  list           tells the scenes of this package"
      "  compare A B    tells how far picture A is from picture B"

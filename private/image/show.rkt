@@ -8,6 +8,9 @@
 ;; terminal says it is (COLUMNS), else 80.
 (define (show image [out (current-output-port)] #:columns [columns (terminal-columns)])
   (unless (Image? image) (raise-argument-error 'show "an Image" image))
+  (unless (output-port? out) (raise-argument-error 'show "an output port" out))
+  (unless (exact-positive-integer? columns)
+    (raise-argument-error 'show "a positive whole number of columns" columns))
   (cond
     [(port-writes-special? out)
      (write-special image out)

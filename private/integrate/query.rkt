@@ -13,15 +13,15 @@
          Float3-random-hemisphere-direction Float3-random-point-in-sphere Float3-random-color)
 
 ;; A ray ready in a fresh scratch, its samples drawn from the seed.
-(: scratch-for (-> Ray Integer (Values FlVector FxVector)))
-(define (scratch-for ray seed)
+(: scratch-for (->* (Ray Integer) (Symbol) (Values FlVector FxVector)))
+(define (scratch-for ray seed [who 'World-ray-trace])
   (define r (make-flonum-registers))
   (define i (make-fixnum-registers))
   (Float3-put! r ray-origin (Ray-point ray))
   (Float3-put! r ray-direction (Ray-direction ray))
   (flvector-set! r ray-limit INTERSECTION-T-MAX)
   (flvector-set! r ray-time (Ray-time ray))
-  (Sampler-start! i 0 (check-count 'seed "#:seed" seed 0 #xFFFFFFFF) 0)
+  (Sampler-start! i 0 (check-count who "#:seed" seed 0 #xFFFFFFFF) 0)
   (values r i))
 
 ;; World-nearest-hit : what the ray meets first, or an Intersection whose t is INTERSECTION-T-MAX.
@@ -64,7 +64,7 @@
      (World-ray-trace world ray #:seed seed)]
     [else
      (define scene (World-scene world))
-     (define-values (r i) (scratch-for ray seed))
+     (define-values (r i) (scratch-for ray seed 'World-get-color-at))
      (put-surface-at! scene r (Intersection-point intersection) (Intersection-normal intersection))
      (Float3-put! r throughput (Float3 1.0 1.0 1.0))
      (fxvector-set! i hit-material 0)
@@ -81,7 +81,7 @@
 ;; the surface by an error bound instead of a fixed EPSILON.
 (: World-get-ambient-percent (->* (World Float3 Float3) (#:seed Integer) Flonum))
 (define (World-get-ambient-percent world point normal #:seed [seed 0])
-  (define-values (r i) (scratch-for (make-Ray point normal) seed))
+  (define-values (r i) (scratch-for (make-Ray point normal) seed 'World-get-ambient-percent))
   (define scene (World-scene world))
   (put-surface-at! scene r point (Float3-normalized/checked normal))
   (cond
@@ -119,7 +119,7 @@
 ;; normal; the index-th of a well-spread sequence that the seed chooses.
 (: Float3-random-hemisphere-direction (->* (Float3) (#:seed Integer #:index Integer) Float3))
 (define (Float3-random-hemisphere-direction normal #:seed [seed 0] #:index [index 0])
-  (define-values (u v) (random-pair seed index))
+  (define-values (u v) (random-pair 'Float3-random-hemisphere-direction seed index))
   (let-float3 ([n (Float3-normalized/checked normal)] [local (warp-uniform-hemisphere u v)])
     (let-frame (tangent bitangent) n
       (Float3-normalized (Frame-to-world tangent bitangent n local)))))
@@ -128,25 +128,25 @@
 ;; centre), and a colour uniform in the unit cube; both by seed and index.
 (: Float3-random-point-in-sphere (->* (Real) (#:seed Integer #:index Integer) Float3))
 (define (Float3-random-point-in-sphere radius #:seed [seed 0] #:index [index 0])
-  (define-values (u v) (random-pair seed index))
-  (define-values (w _) (random-pair (hash-seed seed) index))
+  (define-values (u v) (random-pair 'Float3-random-point-in-sphere seed index))
+  (define-values (w _) (random-pair 'Float3-random-point-in-sphere (hash-seed seed) index))
   (Float3-scale-by-scalar (warp-uniform-sphere u v)
                           (fl* (check-positive 'Float3-random-point-in-sphere "radius" radius)
                                (flexpt w (fl/ 1.0 3.0)))))
 
 (: Float3-random-color (->* () (#:seed Integer #:index Integer) Float3))
 (define (Float3-random-color #:seed [seed 0] #:index [index 0])
-  (define-values (u v) (random-pair seed index))
-  (define-values (w _) (random-pair (hash-seed seed) index))
+  (define-values (u v) (random-pair 'Float3-random-color seed index))
+  (define-values (w _) (random-pair 'Float3-random-color (hash-seed seed) index))
   (Float3 u v w))
 
 (: hash-seed (-> Integer Integer))
 (define (hash-seed seed) (bitwise-xor seed #x5bd1e995))
 
-(: random-pair (-> Integer Integer (Values Flonum Flonum)))
-(define (random-pair seed index)
+(: random-pair (-> Symbol Integer Integer (Values Flonum Flonum)))
+(define (random-pair who seed index)
   (define r (make-flonum-registers))
   (define i (make-fixnum-registers))
-  (Sampler-start! i 0 (check-count 'seed "#:seed" seed 0 #xFFFFFFFF) 0)
-  (sample-pair! r i 0 (check-count 'index "#:index" index 0 #xFFFFFFFF))
+  (Sampler-start! i 0 (check-count who "#:seed" seed 0 #xFFFFFFFF) 0)
+  (sample-pair! r i 0 (check-count who "#:index" index 0 #xFFFFFFFF))
   (values (flvector-ref r sample-u) (flvector-ref r sample-v)))

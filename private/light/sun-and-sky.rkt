@@ -3,9 +3,9 @@
 ;; Daylight" (1999). Luminances in thousands of candela a square metre, illuminances in thousands of
 ;; lux, both times `scale`, as linear RGB.
 (require racket/flonum racket/math
-         (only-in "../base/float3.rkt" make-Float3 Float3-x/function Float3-y/function
+         (only-in "../base/float3.rkt" Float3? make-Float3 Float3-x/function Float3-y/function
                   Float3-z/function Float3-normalized/checked)
-         (only-in "../base/check.rkt" raise-expected)
+         (only-in "../base/check.rkt" check-color check-direction raise-expected)
          (only-in "../image/image.rkt" make-Image)
          (only-in "environment.rkt" make-EnvironmentMap)
          (only-in "distant.rkt" make-DistantLight))
@@ -21,7 +21,9 @@
 ;; number is out of range.
 (define (daylight-sky sun-direction #:turbidity [turbidity 3.0] #:scale [scale DEFAULT-SCALE]
                       #:ground [ground (make-Float3 0.12 0.11 0.1)] #:width [width 256])
-  (define sun (checked-sun 'daylight-sky sun-direction turbidity))
+  (define sun (checked-sun 'daylight-sky sun-direction turbidity scale))
+  (unless (Float3? ground) (raise-expected 'daylight-sky "ground" "a colour, a Float3," ground))
+  (check-color 'daylight-sky "ground" ground)
   (unless (and (exact-integer? width) (even? width) (<= 8 width 8192))
     (raise-expected 'daylight-sky "width" "an even whole number from 8 to 8192" width))
   (define height (quotient width 2))
@@ -51,7 +53,7 @@
 ;; daylight-sun : the sun of that sky as a DistantLight, reddened by the air that its light has passed
 ;; (Rayleigh scattering and haze, as in the paper's appendix, at three wavelengths).
 (define (daylight-sun sun-direction #:turbidity [turbidity 3.0] #:scale [scale DEFAULT-SCALE])
-  (define sun (checked-sun 'daylight-sun sun-direction turbidity))
+  (define sun (checked-sun 'daylight-sun sun-direction turbidity scale))
   (define from-zenith (acos (min 1.0 (Float3-y/function sun))))
   (define air-mass
     (/ (+ (cos from-zenith) (* 0.15 (expt (- 93.885 (radians->degrees from-zenith)) -1.253)))))
@@ -63,10 +65,13 @@
            (exp (* -1.0 haze (expt wavelength -1.3) air-mass)))))
   (make-DistantLight sun (make-Float3 (through 0.612) (through 0.549) (through 0.465))))
 
-(define (checked-sun who direction turbidity)
+(define (checked-sun who direction turbidity scale)
   (unless (and (real? turbidity) (<= 2 turbidity 10))
     (raise-expected who "turbidity" "a number from 2 to 10" turbidity))
-  (define sun (Float3-normalized/checked direction))
+  (unless (and (real? scale) (<= 0 scale 1e9))
+    (raise-expected who "scale" "a number from 0 to 1e9" scale))
+  (unless (Float3? direction) (raise-expected who "sun-direction" "a Float3" direction))
+  (define sun (Float3-normalized/checked (check-direction who "sun-direction" direction)))
   (unless (> (Float3-y/function sun) 0.0)
     (raise-expected who "sun-direction" "a direction above the horizon" direction))
   sun)

@@ -138,7 +138,8 @@
   (define (see event number r i)
     (unless (and (eq? event 'surface)
                  (or (boundary? (vector-ref materials (fxvector-ref i hit-material)))
-                     (seen-before? r)))
+                     (seen-before? r)
+                     (shadow-ray?)))
       (record event number r i)))
 
   ;; Where there are media a surface is looked at once to know whether it is a boundary, and again.
@@ -148,6 +149,16 @@
          (open? (car steps))
          (null? (draft-lights (car steps)))
          (equal? (color-at r surface-point) (hash-ref (draft-facts (car steps)) 'point))))
+
+  ;; What stops a shadow ray: where there are interiors it is looked at too. There a path goes on by
+  ;; scattering alone.
+  (define interiors? (for/or ([material (in-vector materials)]) (Interior? material)))
+  (define (shadow-ray?)
+    (and interiors?
+         (pair? steps)
+         (eq? 'vertex (draft-kind (car steps)))
+         (open? (car steps))
+         (pair? (draft-lights (car steps)))))
 
   (define (record event number r i)
     (case event

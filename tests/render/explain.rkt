@@ -121,6 +121,19 @@
     (check-eq? (outcome (list floor)) 'lit)
     (check-eq? (outcome (list floor roof)) 'shadowed))
 
+  (test-case "past a cloud too the path is not told to meet what stops a shadow ray"
+    (define roof (Quad (Float3 -5 4 5) (Float3 10 0 0) (Float3 0 0 -10) #:material white))
+    (define cloud (Sphere (Float3 9 9 9) 1 (Interior (Medium 1 (Float3 0.5 0.5 0.5)))))
+    (define world (World (list floor roof cloud) (PointLight (Float3 0 8 0) (Float3 50 50 50)) black))
+    (define e (explain world (Camera-look-at (Float3 0 2 0.5) (Float3 0 0 0)) 4 4
+                       #:width 9 #:height 9 #:samples 8 #:integrator 'path #:max-depth 3))
+    (for* ([path (in-list (Explanation-paths e))]
+           [vertices (in-value (filter Vertex? (Path-steps path)))])
+      (check-eq? (Vertex-shape (first vertices)) floor)
+      (check-equal? (map LightSample-outcome (Vertex-lights (first vertices))) '(shadowed))
+      (for ([vertex (in-list (drop-right vertices 1))])
+        (check-pred Vertex-onward vertex))))
+
   (test-case "a lamp seen directly, in a group, and the background"
     (define (source shape)
       (explain (World (list shape) '() (Float3 0.1 0.1 0.1)) (Camera-look-at (Float3 0 3 6) (Float3 0 3 0))
