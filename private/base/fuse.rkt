@@ -2,6 +2,7 @@
 ;; Float3 and the macros that make operations on it fuse: inside let-float3, and inside each
 ;; other, operations stay three flonum locals and allocate nothing; elsewhere they are functions.
 (require racket/flonum
+         (only-in racket/base let let*) ; typed ones take longer to expand
          (for-syntax racket/base racket/syntax syntax/parse (for-syntax racket/base)))
 
 (provide (struct-out Float3) let-float3 define-float3-operation
@@ -40,7 +41,7 @@
     (define (bind-components bindings components)
       (define names (generate-temporaries '(x y z)))
       (values (append bindings
-                      (for/list ([name names] [c components]) #`[#,name : Flonum #,c]))
+                      (for/list ([name names] [c components]) #`[#,name #,c]))
               names))
     (syntax-case expression ()
       [v (float3-local? (static-value #'v))
@@ -54,7 +55,7 @@
         bind-components)]
       [_
        (let ([whole (car (generate-temporaries '(v)))])
-         (bind-components (list #`[#,whole : Float3 #,expression])
+         (bind-components (list #`[#,whole #,expression])
                           (list #`(Float3-x #,whole) #`(Float3-y #,whole) #`(Float3-z #,whole))))]))
 
   (define (lower-application operation stx)
@@ -70,7 +71,7 @@
            (values (append bindings more) (append atoms (list components)))]
           [else
            (define name (car (generate-temporaries '(s))))
-           (values (append bindings (list #`[#,name : #,kind #,argument]))
+           (values (append bindings (list #`[#,name #,argument]))
                    (append atoms (list name)))])))
     (define-values (shared result) (apply (float3-operation-expand operation) atoms))
     (values (append bindings shared) result)))
@@ -120,7 +121,7 @@
             (lambda (a.name ...)
               (bind-pattern ([a.pattern a.name] ...)
                 (with-syntax ([(s ...) (generate-temporaries #'(s ...))])
-                  (values (list #'[s : Flonum s-value] ...) template))))
+                  (values (list #'[s s-value] ...) template))))
             #'function))
          (: function (-> a.type ... result-type))
          (define (function a.name ...) (operation a.value ...)))]))

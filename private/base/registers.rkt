@@ -84,6 +84,8 @@
   ;; surface-inside while other rays are traced
   [media-count 1] [media 8] [shadow-media-count 1] [shadow-media 8]
   [known-media-count 1] [known-media 8] [kept-hit-for-shadow 11] [kept-hit-for-segment 11]
+  ;; 1 while surfaces are met that the path does not come to: by shadow rays, and to know the media
+  [looking 1]
   ;; the sampler: its number and the size of its grid; hash of (pixel, seed), sample index, next
   ;; dimension; a fold over many samples
   [sampler-kind 1] [sampler-count 1] [sampler-key 1] [sampler-index 1] [sampler-dimension 1]

@@ -247,7 +247,9 @@
        (keep-hit! r i)
        (copy-media! i media-count shadow-media-count)
        (cross-surface! media shadow-media-count r i)
+       (fxvector-set! i looking 1)
        (define left? (reaches-light? media scene r i))
+       (fxvector-set! i looking 0)
        (restore-hit! r i)
        (fxvector-set! i sampler-dimension dimension)
        left?]
@@ -330,7 +332,9 @@
        (copy-places! r ray-origin kept-for-shadow (SEGMENT-PLACES))
        (copy-places! r ray-origin known-origin 3)
        (flvector-set! r (fx+ known-origin 3) (flvector-ref r ray-time))
+       (fxvector-set! i looking 1)
        (find-around! media scene r i)
+       (fxvector-set! i looking 0)
        (copy-places! r kept-for-shadow ray-origin (SEGMENT-PLACES)))
      (copy-media! i known-media-count media-count)]))
 

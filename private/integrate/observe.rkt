@@ -23,7 +23,7 @@
 (define PLACES : (Immutable-HashTable Symbol Fixnum)
   (places hit-t hit-material surface-point surface-normal surface-shading-normal surface-color
           ray-direction in-direction bsdf-weight bsdf-density light-distance light-density
-          throughput radiance film-x film-y nearest-rays occlusion-rays))
+          throughput radiance film-x film-y nearest-rays occlusion-rays looking))
 
 ;; World-observed : the same world, with see called after each of these steps. Compiled anew at the
 ;; first use of the world it is made from only.

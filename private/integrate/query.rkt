@@ -9,7 +9,7 @@
          "seed.rkt" "integrators.rkt")
 
 (provide World-nearest-hit World-occluded? World-ray-trace World-get-color-at
-         World-get-ambient-percent Shape-intersect Sphere-intersect
+         World-get-ambient-percent Shape-intersect Sphere-intersect Sphere-color
          Float3-random-hemisphere-direction Float3-random-point-in-sphere Float3-random-color)
 
 ;; A ray ready in a fresh scratch, its samples drawn from the seed.
@@ -114,6 +114,10 @@
 ;; negative one.)
 (: Sphere-intersect (-> Sphere Ray Intersection))
 (define (Sphere-intersect sphere ray) (Shape-intersect sphere ray))
+
+;; The article's colour of a sphere: its material's.
+(: Sphere-color (-> Sphere Float3))
+(define (Sphere-color sphere) (Material-color (Sphere-material sphere)))
 
 ;; Float3-random-hemisphere-direction : a unit direction, uniform over the hemisphere of the
 ;; normal; the index-th of a well-spread sequence that the seed chooses.

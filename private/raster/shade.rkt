@@ -136,7 +136,7 @@
     [(Mirror? material) (look #:mirror (factor (Mirror-color material)))]
     [(Metal? material) (metal (factor (Metal-albedo material)) (mean-number (Metal-fuzz material)))]
     [(RoughConductor? material)
-     (metal (conductor-color material) (mean-number (RoughConductor-roughness material)))]
+     (metal (RoughConductor-reflectance material) (mean-number (RoughConductor-roughness material)))]
     [(Bumped? material) (Material-look (Bumped-material material) share)]
     [(Plastic? material)
      (define f0 (reflectance (Plastic-ior material)))
@@ -175,21 +175,6 @@
   (define strength (fl* (fl* 0.5 (INVERSE-PI)) (fl* 202.0 f0)))
   (look #:coat f0 #:clear 1.0 #:highlight (make-Float3 strength strength strength)
         #:shininess 200.0))
-
-;; A conductor's reflectance along the normal (Fresnel).
-(: conductor-color (-> RoughConductor Float3))
-(define (conductor-color material)
-  (define eta (RoughConductor-eta material))
-  (define k (RoughConductor-k material))
-  (define (reflectance [n : Flonum] [k : Flonum])
-    (let ([kk (fl* k k)] [below (fl+ n 1.0)] [above (fl- n 1.0)])
-      (fl/ (fl+ (fl* above above) kk) (fl+ (fl* below below) kk))))
-  (cond
-    [(RoughConductor-color material) => (lambda ([color : Float3]) color)]
-    [(and eta k)
-     (Float3 (reflectance (Float3-x eta) (Float3-x k)) (reflectance (Float3-y eta) (Float3-y k))
-             (reflectance (Float3-z eta) (Float3-z k)))]
-    [else (make-Float3 0.5 0.5 0.5)]))
 
 ;; --- lights ---
 

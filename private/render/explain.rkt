@@ -27,7 +27,7 @@
   (begin (define name (hash-ref PLACES 'name)) ...))
 (define-places hit-t hit-material surface-point surface-normal surface-shading-normal surface-color
   ray-direction in-direction bsdf-weight bsdf-density light-distance light-density
-  throughput radiance film-x film-y nearest-rays occlusion-rays)
+  throughput radiance film-x film-y nearest-rays occlusion-rays looking)
 
 ;; color: the pixel of the picture. standard-error: of its channels, #f with one sample. rays: per
 ;; sample. sources: where the light came from, a list of pairs of a source (a shape that shines, a
@@ -125,6 +125,7 @@
   (define before '(0.0 0.0 0.0))
   (define book void)
   (define occluded-before 0)
+  (define obstacle? #f) ; whether the last shadow ray came upon one, where it looks at what it meets
 
   (define (radiance-now r) (places r radiance))
   ;; Books what was added since the last event, and says who is next.
@@ -136,11 +137,12 @@
 
   ;; Boundaries of media that are not seen are gone through, by shadow rays too.
   (define (see event number r i)
-    (unless (and (eq? event 'surface)
-                 (or (boundary? (vector-ref materials (fxvector-ref i hit-material)))
-                     (seen-before? r)
-                     (shadow-ray?)))
-      (record event number r i)))
+    (define surface? (eq? event 'surface))
+    (cond
+      [(and surface? (boundary? (vector-ref materials (fxvector-ref i hit-material)))) (void)]
+      [(and surface? (fx= 1 (fxvector-ref i looking))) (set! obstacle? #t)]
+      [(and surface? (seen-before? r)) (void)]
+      [else (record event number r i)]))
 
   ;; Where there are media a surface is looked at once to know whether it is a boundary, and again.
   (define (seen-before? r)
@@ -149,16 +151,6 @@
          (open? (car steps))
          (null? (draft-lights (car steps)))
          (equal? (color-at r surface-point) (hash-ref (draft-facts (car steps)) 'point))))
-
-  ;; What stops a shadow ray: where there are interiors it is looked at too. There a path goes on by
-  ;; scattering alone.
-  (define interiors? (for/or ([material (in-vector materials)]) (Interior? material)))
-  (define (shadow-ray?)
-    (and interiors?
-         (pair? steps)
-         (eq? 'vertex (draft-kind (car steps)))
-         (open? (car steps))
-         (pair? (draft-lights (car steps)))))
 
   (define (record event number r i)
     (case event
@@ -184,6 +176,7 @@
        (set! occluded-before (fxvector-ref i occlusion-rays))
        (hash-set*! facts 'light (light-of number) 'distance (flvector-ref r light-distance)
                    'pdf (flvector-ref r light-density) 'weight #f)
+       (set! obstacle? #f)
        (unless (and (pair? steps) (open? (car steps)))
          (define facts (make-hasheq))
          (hash-set! facts 'depth (max 0 (- depth 1)))
@@ -192,7 +185,8 @@
        (set-draft-lights! vertex (cons sample (draft-lights vertex)))
        (set! book (lambda (light)
                     (hash-set*! facts 'contribution light
-                                'shadow? (> (fxvector-ref i occlusion-rays) occluded-before))))]
+                                'shadow? (or obstacle?
+                                             (> (fxvector-ref i occlusion-rays) occluded-before)))))]
       [(evaluated)
        (define samples (draft-lights (car steps)))
        (unless (null? samples)

@@ -353,7 +353,8 @@ error (@racket['error]).
 ]
 
 A magenta pixel is one where a function of the scene, such as a texture of your own, raised twice. The command tells which
-and why in one line, and goes on; with @exec{--strict} it stops there.
+and why in one line, and goes on; with @exec{--strict} it stops there. Such a function should raise an
+exception, as @racket[error] does: Racket's futures hang where @racket[raise] is given any other value.
 
 In the shell:
 

@@ -40,9 +40,7 @@
                (fl<= (Float3-z low) (Float3-z high)))
     (raise-expected 'CustomShape "high" "three coordinates not less than those of low" high))
   (CustomShape low high intersect
-               (if (eqv? 0.0 (real->double-flonum error))
-                   0.0
-                   (check-positive 'CustomShape "error" error))
+               (check-between 'CustomShape "error" error 0.0 1e300)
                uv (->material material)))
 
 (define-constructor CustomShape make-CustomShape (low high intersect error uv material))

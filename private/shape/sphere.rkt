@@ -3,11 +3,11 @@
 (require (for-syntax racket/base)
          "../base/unsafe.rkt" "../base/registers.rkt" "../base/float3.rkt" "../base/public.rkt"
          "../base/check.rkt" "../base/squares.rkt" "../sample/warp.rkt"
-         "../material/material.rkt" "../material/color.rkt"
+         "../material/material.rkt"
          "kernel.rkt" "shape.rkt")
 
 (provide (struct-out Sphere) make-Sphere Sphere-nearest-root Sphere-surface! Sphere-uv!
-         Sphere-kernel Sphere-bounds Sphere-color)
+         Sphere-kernel Sphere-bounds)
 
 ;; The smallest positive parameter t at which o + t d meets the sphere, or +inf.0. `dd` is d.d and
 ;; `inverse-dd` its reciprocal. The discriminant is taken from the point of the ray nearest to the
@@ -50,10 +50,6 @@
           (->material material)))
 
 (define-constructor Sphere make-Sphere (point radius material))
-
-;; The article's colour of a sphere: its material's.
-(: Sphere-color (-> Sphere Float3))
-(define (Sphere-color sphere) (Material-color (Sphere-material sphere)))
 
 ;; The surface at the hit in the scratch: the point is brought back onto the sphere, so its error
 ;; is a few roundings of the radius and the centre, however far the ray came from.

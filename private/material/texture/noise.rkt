@@ -76,8 +76,11 @@
 (: perlin-noise (->* (Float3) (Integer Integer #:octaves Integer #:seed Integer) Flonum))
 (define (perlin-noise point [octaves-by-place 1] [seed-by-place 0]
                       #:octaves [octaves octaves-by-place] #:seed [seed seed-by-place])
-  (define noise! (make-noise 1.0 (check-octaves 'perlin-noise octaves)
-                             (check-seed 'perlin-noise seed)))
+  (noise-value point (check-octaves 'perlin-noise octaves) (check-seed 'perlin-noise seed)))
+
+(: noise-value (-> Float3 Fixnum Fixnum Flonum))
+(define (noise-value point octaves seed)
+  (define noise! (make-noise 1.0 octaves seed))
   (define v (flvector (Float3-x point) (Float3-y point) (Float3-z point) 0.0))
   (noise! v 0 3)
   (flvector-ref v 3))
@@ -86,4 +89,5 @@
 (: perlin-turbulence (->* (Float3) (Integer Integer #:octaves Integer #:seed Integer) Flonum))
 (define (perlin-turbulence point [octaves-by-place 7] [seed-by-place 0]
                            #:octaves [octaves octaves-by-place] #:seed [seed seed-by-place])
-  (flabs (perlin-noise point octaves seed)))
+  (flabs (noise-value point (check-octaves 'perlin-turbulence octaves)
+                   (check-seed 'perlin-turbulence seed))))

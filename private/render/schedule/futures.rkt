@@ -16,12 +16,9 @@
          (run-pass procedures counter report!)
          (pass))))))
 
-;; A future that raises what is no exception would never be touched to its end.
-(define (start render-tile! counter at)
-  (future
-   (lambda ()
-     (with-handlers ([(lambda (e) (not (exn? e))) (lambda (e) (error (fault-text e)))])
-       (work render-tile! counter at)))))
+;; Nothing that waits for the main thread may stand here, as with-handlers would: the future would render
+;; only when touched.
+(define (start render-tile! counter at) (future (lambda () (work render-tile! counter at))))
 
 ;; Each worker is a future, and each future is touched by a thread of its own: if a scene's function
 ;; does what a future may not, it goes on in that thread. So does a tile in which something was raised,

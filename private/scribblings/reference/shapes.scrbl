@@ -22,8 +22,8 @@ theirs. An empty group has a grey one.}
 @deftogether[(@defproc[(Shape-intersect [shape Shape?] [ray Ray?]) Intersection?]
               @defproc[(Sphere-intersect [sphere Sphere?] [ray Ray?]) Intersection?])]{
 The first hit of a ray with one shape; one whose parameter is @racket[INTERSECTION-T-MAX] where there
-is none. The colour is that of the shape's material where it is a @racket[Phong] of one colour, black
-where it is an @racket[Emitter], and else grey, 0.5.}
+is none. The colour stands for the shape's material: what it reflects of white light, 1 for glass, the
+mean of a mixture's; grey, 0.5, where a texture says it; black where it only shines.}
 
 @section[#:tag "reference-shapes-simple"]{Simple shapes}
 

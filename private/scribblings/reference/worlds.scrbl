@@ -116,9 +116,8 @@ These functions run what a render runs, and give the same numbers. Those that dr
 from @racket[seed]: the same call gives the same result.
 
 @defproc[(World-nearest-hit [world World?] [ray Ray?]) Intersection?]{
-What the ray meets first: the parameter along the ray, the point, the unit normal and a colour. The
-colour is that of a @racket[Phong] material; it is grey for other materials and for textures, and
-black for an @racket[Emitter]. Where the ray meets nothing, the parameter is
+What the ray meets first: the parameter along the ray, the point, the unit normal and the colour that
+@racket[Shape-intersect] tells. Where the ray meets nothing, the parameter is
 @racket[INTERSECTION-T-MAX].}
 
 @defproc[(World-occluded? [world World?] [ray Ray?] [limit (>/c 0) INTERSECTION-T-MAX]) boolean?]{
