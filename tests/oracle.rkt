@@ -10,7 +10,8 @@
                     (combine-in (only-in "../private/base/float3.rkt"
                                          Float3 Float3-x/function Float3-y/function Float3-z/function)
                                 "../private/shape/sphere.rkt" "../private/light/distant.rkt"
-                                "../private/world/camera.rkt" "../private/material/phong.rkt")))
+                                "../private/world/camera.rkt" "../private/material/phong.rkt"
+                                (only-in "../private/integrate/query.rkt" Sphere-color))))
 
 (struct Float3 ([x : Flonum] [y : Flonum] [z : Flonum]))
 (struct Ray ([point : Float3] [direction : Float3]))

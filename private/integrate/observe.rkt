@@ -68,4 +68,8 @@
                [lights (numbered light-kernel (Scene-lights scene))]
                [background (after (Scene-background scene) 'background -1)]
                [material-kernels
-                (delay (numbered material-kernel (force (Scene-material-kernels scene))))]))
+                (delay (numbered material-kernel (force (Scene-material-kernels scene))))]
+               [watch-scattering
+                (lambda ([kernel : MaterialKernel])
+                  (struct-copy MaterialKernel kernel
+                               [sample (after (MaterialKernel-sample kernel) 'within -1)]))]))

@@ -24,7 +24,8 @@
   (define pivots (light-pivots (Scene-lights scene)))
   (and media
        (let ([phase (scattering-kernel media)])
-         (PathMedia media phase (lit-segment-kernel media scene phase pivots) pivots))))
+         (PathMedia media ((Scene-watch-scattering scene) phase)
+                    (lit-segment-kernel media scene phase pivots) pivots))))
 
 ;; By light: the middle of its box, half the diagonal (-1 for a light without a box), and what it sends
 ;; in any direction at most.

@@ -50,8 +50,9 @@
                 ambient lights onward)
   #:transparent)
 
-;; Lights sampled inside a medium, between surfaces.
-(struct Within (depth lights) #:transparent)
+;; Inside a medium, between surfaces. point: where the path is scattered; #f where it is not, but lights
+;; were sampled on the way. onward: #f where it is not, or ends.
+(struct Within (depth point lights onward) #:transparent)
 
 ;; light: a shape that shines, a light, or 'background. pdf: of the sample, with the choice among
 ;; lights, per solid angle; infinite for lights without a size. weight: by multiple importance
@@ -179,7 +180,7 @@
        (set! obstacle? #f)
        (unless (and (pair? steps) (open? (car steps)))
          (define facts (make-hasheq))
-         (hash-set! facts 'depth (max 0 (- depth 1)))
+         (hash-set! facts 'depth depth)
          (set! steps (cons (draft 'within facts '() #f) steps)))
        (define vertex (car steps))
        (set-draft-lights! vertex (cons sample (draft-lights vertex)))
@@ -196,9 +197,14 @@
                      'weight (if (= pdf +inf.0) 1.0 (/ 1.0 (+ 1.0 (expt (/ other pdf) 2))))))]
       [(scattered)
        (turn! r void)
-       (set-draft-onward! (car steps)
-                          (Onward (color-at r in-direction) (flvector-ref r bsdf-density)
-                                  (color-at r bsdf-weight)))]
+       (set-draft-onward! (car steps) (onward-now r))]
+      [(within)
+       (turn! r void)
+       (unless (and (pair? steps) (open? (car steps)))
+         (set! steps (cons (draft 'within (make-hasheq) '() #f) steps)))
+       (hash-set*! (draft-facts (car steps)) 'depth depth 'point (color-at r surface-point))
+       (set-draft-onward! (car steps) (onward-now r))
+       (set! depth (+ depth 1))]
       [(background)
        (turn! r void)
        (define facts (make-hasheq))
@@ -208,6 +214,9 @@
        (set! book (lambda (light)
                     (hash-set*! facts 'contribution light
                                 'weight (flvector-ref r light-density))))]))
+
+  (define (onward-now r)
+    (Onward (color-at r in-direction) (flvector-ref r bsdf-density) (color-at r bsdf-weight)))
 
   (define ((observe integrator) r i)
     (set! steps '())
@@ -237,7 +246,8 @@
   (case (draft-kind step)
     [(miss) (Miss (value 'depth) (value 'direction) (value 'color) (value 'weight 1.0)
                   (light 'contribution))]
-    [(within) (Within (value 'depth) (map finished (reverse (draft-lights step))))]
+    [(within) (Within (value 'depth) (value 'point) (map finished (reverse (draft-lights step)))
+                      (draft-onward step))]
     [(light)
      (LightSample (value 'light) (value 'distance) (value 'pdf) (value 'weight)
                   (cond [(ormap positive? (value 'contribution '(0.0))) 'lit]
@@ -287,7 +297,7 @@
   (for* ([path (in-list paths)] #:unless (Path-rejected? path) [step (in-list (Path-steps path))])
     (match step
       [(Miss depth _ _ _ light) (add! 'background depth light)]
-      [(Within depth lights)
+      [(Within depth _ lights _)
        (for ([sample (in-list lights)])
          (add! (LightSample-light sample) (+ depth 1) (LightSample-contribution sample)))]
       [(? Vertex?)

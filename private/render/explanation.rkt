@@ -45,9 +45,12 @@
       [(Miss depth direction sky weight contribution)
        (line (+ depth 1) "hits nothing; background " (color-text sky)
              (weighted weight) " brings " (color-text contribution))]
-      [(Within depth lights)
-       (line (+ depth 1) "scatters in a medium")
-       (for ([sample (in-list lights)]) (write-light sample (+ depth 2) line))]
+      [(Within depth point lights onward)
+       (if point
+           (line (+ depth 1) "is scattered by a medium at " (vector-text point))
+           (line (+ depth 1) "goes through a medium that is lit"))
+       (for ([sample (in-list lights)]) (write-light sample (+ depth 2) line))
+       (write-onward onward (+ depth 2) line)]
       [(Vertex depth shape material t point normal inside? throughput emitted weight ambient
                lights onward)
        (define indent (+ depth 1))
@@ -60,18 +63,25 @@
        (when (bright? ambient)
          (line (+ indent 1) "ambient light brings " (color-text ambient)))
        (for ([sample (in-list lights)]) (write-light sample (+ indent 1) line))
-       (when onward
-         (line (+ indent 1)
-               (if (bright? (Onward-weight onward))
-                   (format "goes on to ~a, pdf ~a, weight ~a"
-                           (vector-text (Onward-direction onward))
-                           (number-text (Onward-pdf onward)) (color-text (Onward-weight onward)))
-                   "ends here: nothing is reflected")))])))
+       (write-onward onward (+ indent 1) line)])))
+
+(define (write-onward onward indent line)
+  (when onward
+    (line indent
+          (if (bright? (Onward-weight onward))
+              (format "goes on to ~a, pdf ~a, weight ~a"
+                      (vector-text (Onward-direction onward))
+                      (number-text (Onward-pdf onward)) (color-text (Onward-weight onward)))
+              "ends here: nothing is reflected"))))
 
 (define (write-light sample indent line)
   (match-define (LightSample light distance pdf weight outcome contribution) sample)
-  (line indent "light " (thing-text light) ", distance " (number-text distance)
-        ", pdf " (number-text pdf) (if weight (weighted weight) "") ": "
+  (line indent "light " (thing-text light)
+        (if (eq? outcome 'dark) ; then it may have left neither
+            ""
+            (string-append ", distance " (number-text distance) ", pdf " (number-text pdf)
+                           (if weight (weighted weight) "")))
+        ": "
         (case outcome
           [(lit) (string-append "brings " (color-text contribution))]
           [(shadowed) "in shadow"]

@@ -34,7 +34,9 @@
    [background-light : Fixnum]
    [background : (-> FlVector FxVector Void)]
    [extent : Flonum]
-   [material-kernels : (Promise (Vectorof MaterialKernel))]))
+   [material-kernels : (Promise (Vectorof MaterialKernel))]
+   ;; what becomes of the kernel of points in media, for who observes the world
+   [watch-scattering : (-> MaterialKernel MaterialKernel)]))
 
 ;; Boxes are padded by a few roundings of their coordinates, so that a hit the intersection finds
 ;; on the very edge of a shape is never outside the box.
@@ -123,7 +125,8 @@
          (largest-magnitude boxes (* 6 bounded-count))
          (once (lambda ()
                  (for/vector : (Vectorof MaterialKernel) ([material (in-vector materials)])
-                   (Material-kernel material))))))
+                   (Material-kernel material))))
+         (lambda ([kernel : MaterialKernel]) kernel)))
 
 ;; A procedure that numbers materials by identity in the order it meets them, those of the parts of
 ;; composites too, and one that returns all it has met.

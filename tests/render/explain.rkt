@@ -6,9 +6,10 @@
            (only-in "../../private/render/explain.rkt" Path Path-color Path-steps Path-film-x Vertex
                     Vertex? Vertex-lights Vertex-emission-weight Vertex-emitted Vertex-shape Vertex-t
                     Vertex-material Vertex-depth Vertex-point Vertex-onward Vertex-normal
-                    Vertex-inside? Vertex-throughput LightSample-outcome LightSample-light
+                    Vertex-inside? Vertex-throughput Within? Within-depth Within-point Within-onward
+                    LightSample-outcome LightSample-light
                     LightSample-weight LightSample-pdf LightSample-contribution
-                    Miss? Miss-contribution Miss-color Onward-pdf)
+                    Miss? Miss-depth Miss-contribution Miss-color Onward-pdf Onward-direction)
            (prefix-in weekend: raytrace/scenes/weekend)
            (prefix-in cornell: raytrace/scenes/cornell-box)
            (prefix-in first: raytrace/scenes/first-light)
@@ -133,6 +134,32 @@
       (check-equal? (map LightSample-outcome (Vertex-lights (first vertices))) '(shadowed))
       (for ([vertex (in-list (drop-right vertices 1))])
         (check-pred Vertex-onward vertex))))
+
+  (test-case "what media scatter is a step with its bounce: points and directions lead to the next one"
+    (define cloud (Interior (Medium 3 (Float3 0.9 0.9 0.9))))
+    (define ground (Disk (Float3 0 -2 0) (Float3 0 1 0) 3 white))
+    (define world (World (list (Sphere (Float3 0 0 0) 1 cloud) ground) '() (Float3 1 1 1)))
+    (define e (explain world (Camera-look-at (Float3 0 0 5) (Float3 0 0 0)) 4 4
+                       #:width 9 #:height 9 #:samples 32 #:integrator 'path))
+    (check-sums e)
+    (define scattered
+      (for*/sum ([path (in-list (Explanation-paths e))] [step (in-list (Path-steps path))])
+        (if (and (Within? step) (Within-onward step)) 1 0)))
+    (check > scattered 32)
+    (for ([path (in-list (Explanation-paths e))])
+      (for/fold ([bounces 0] [from #f] [direction #f] #:result (void))
+                ([step (in-list (Path-steps path))])
+        (define-values (depth point onward)
+          (cond
+            [(Vertex? step) (values (Vertex-depth step) (Vertex-point step) (Vertex-onward step))]
+            [(Within? step) (values (Within-depth step) (Within-point step) (Within-onward step))]
+            [else (values (Miss-depth step) #f #f)]))
+        (check-equal? depth bounces)
+        (when (and from point direction)
+          (define way (Float3-subtract point from))
+          (check-= (Float3-dot way direction) (Float3-length way) 1e-9))
+        (values (if onward (+ bounces 1) bounces) (or point from)
+                (if onward (Onward-direction onward) direction)))))
 
   (test-case "a lamp seen directly, in a group, and the background"
     (define (source shape)
