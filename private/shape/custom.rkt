@@ -39,8 +39,10 @@
                (fl<= (Float3-y low) (Float3-y high))
                (fl<= (Float3-z low) (Float3-z high)))
     (raise-expected 'CustomShape "high" "three coordinates not less than those of low" high))
-  (CustomShape low high intersect
-               (check-between 'CustomShape "error" error 0.0 1e300)
+  (define bound (real->double-flonum error))
+  (unless (and (fl>= bound 0.0) (fl< bound +inf.0))
+    (raise-expected 'CustomShape "error" "a finite number of at least 0" error))
+  (CustomShape low high intersect bound
                uv (->material material)))
 
 (define-constructor CustomShape make-CustomShape (low high intersect error uv material))

@@ -155,5 +155,5 @@
                (lambda () (make '(0.0 0.0 0.0) '(1.0 -1.0 1.0))))
     (check-exn #rx"^CustomShape: expected three coordinates not less than those of low as high"
                (lambda () (make '(0.0 +nan.0 0.0) '(1.0 1.0 1.0))))
-    (check-exn #rx"^CustomShape: expected a positive finite number as error"
+    (check-exn #rx"^CustomShape: expected a finite number of at least 0 as error"
                (lambda () (make '(0.0 0.0 0.0) '(1.0 1.0 1.0) #:error -1)))))
