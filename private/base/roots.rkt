@@ -104,7 +104,9 @@
                                      (fl<= (flabs newton-step) (fl* 0.5 (flabs last-step)))))]
                      [next (if (fl= value 0.0) t (if good? newton (fl* 0.5 (fl+ low* up*))))]
                      [step (fl- next t)])
-                (if (improvable? step (if good? last-step 0.0) root-tolerance span)
+                ;; between neighbouring numbers Newton would go to and fro
+                (if (and (or good? (and (fl< low* next) (fl< next up*)))
+                         (improvable? step (if good? last-step 0.0) root-tolerance span))
                     (refining low* up* next (if good? step 0.0))
                     (let ([root (fl+ next 0.0)]) found)))))))
       (cond

@@ -35,6 +35,22 @@
     (check-false (shoot p o d 2.5))
     (check-true (shoot-occluded p o d 3.0)))
 
+  (test-case "a root between neighbouring numbers, where steps went to and fro for ever"
+    (define p (probe (torus '(1.4 0.35 -1.6) '(0.0 1.0 0.0) 1.1 0.35)))
+    (define-values (o d)
+      (values '(1.5 5.5 9.0) '(-0.07831999295706488 -0.48088494227889733 -0.873278678883566)))
+    (define found (make-channel))
+    (define search (thread (lambda () (channel-put found (or (shoot p o d) 'none)))))
+    (define t (sync/timeout 20 found))
+    (kill-thread search)
+    (check-true (and t #t))
+    ;; whether it is met or not, the line is tangent there to a few roundings
+    (unless (eq? t 'none)
+      (define-values (x y z)
+        (apply values (map (lambda (o d c) (- (+ o (* t d)) c)) o d '(1.4 0.35 -1.6))))
+      (define beyond (- (sqrt (+ (* x x) (* z z))) 1.1))
+      (check-= (+ (* beyond beyond) (* y y)) (* 0.35 0.35) 1e-14)))
+
   (test-case "H12: generic, t to 4 ulp, normal to 1e-14"
     (define p (probe (torus '(0.0 0.0 0.0) '(0.0 0.0 1.0) 2.0 0.5)))
     (define-values (o d) (values '(-4.0 0.3 0.1) '(1.0 0.1 0.02)))
